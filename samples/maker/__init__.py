@@ -1,0 +1,1 @@
+"""The builders, the checks and the writer behind make-samples.py."""

@@ -1,0 +1,15 @@
+"""The list of all sample models with the promise each must keep."""
+
+from collections import namedtuple
+
+from . import fox
+from .check import Promise
+
+Model = namedtuple("Model", "name title build digits promise")
+
+ANIMAL = dict(edge=0.02, angle=12.0, clearance=0.05)
+
+MODELS = [
+    Model("fox", "sitting fox", fox.build, 3,
+          Promise(faces=(250, 500), **ANIMAL)),
+]
