@@ -1,0 +1,97 @@
+/* core/context.c - the context: last error, callbacks, seed. */
+#include "core/context.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#ifndef KTG_VERSION
+#define KTG_VERSION "0"
+#endif
+
+const char *ktg_version(void) {
+    return KTG_VERSION;
+}
+
+const char *ktg_status_name(ktg_status status) {
+    static const char *const names[] = {"ok",    "argument", "file",      "format",  "geometry",
+                                        "limit", "memory",   "cancelled", "unsound", "internal"};
+    size_t index = (size_t)status;
+    return index < sizeof names / sizeof *names ? names[index] : "unknown";
+}
+
+ktg_status ktg_context_new(ktg_context **context) {
+    *context = calloc(1, sizeof **context);
+    if (!*context)
+        return KTG_MEMORY;
+    (*context)->seed = 1;
+    return KTG_OK;
+}
+
+void ktg_context_free(ktg_context **context) {
+    if (!context)
+        return;
+    free(*context);
+    *context = NULL;
+}
+
+void ktg_context_set_log(ktg_context *context, ktg_log_function *log, void *user) {
+    context->log = log;
+    context->log_user = user;
+}
+
+void ktg_context_set_progress(ktg_context *context, ktg_progress_function *progress, void *user) {
+    context->progress = progress;
+    context->progress_user = user;
+}
+
+void ktg_context_set_cancel(ktg_context *context, ktg_cancel_function *cancel, void *user) {
+    context->cancel = cancel;
+    context->cancel_user = user;
+}
+
+void ktg_context_set_seed(ktg_context *context, uint64_t seed) {
+    context->seed = seed;
+}
+
+uint64_t ktg_context_seed(const ktg_context *context) {
+    return context->seed;
+}
+
+const char *ktg_context_message(const ktg_context *context) {
+    return context->message;
+}
+
+void ktg_context_fail_allocation(ktg_context *context, uint64_t nth) {
+    context->allocation_to_fail = nth;
+}
+
+ktg_status ktg_fail(ktg_context *context, ktg_status status, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(context->message, sizeof context->message, format, arguments);
+    va_end(arguments);
+    return status;
+}
+
+void ktg_log(ktg_context *context, ktg_log_level level, const char *format, ...) {
+    if (!context->log)
+        return;
+    char line[KTG_MESSAGE_SIZE];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(line, sizeof line, format, arguments);
+    va_end(arguments);
+    context->log(context->log_user, level, line);
+}
+
+void ktg_progress(ktg_context *context, const char *stage, double fraction, const char *detail) {
+    if (context->progress)
+        context->progress(context->progress_user, stage, fraction, detail);
+}
+
+ktg_status ktg_check_cancel(ktg_context *context) {
+    if (context->cancel && context->cancel(context->cancel_user))
+        return ktg_fail(context, KTG_CANCELLED, "interrupted");
+    return KTG_OK;
+}

@@ -1,0 +1,37 @@
+/* layout/layout.h - pieces onto sheets. Places, never changes a size. */
+#ifndef KTG_LAYOUT_LAYOUT_H
+#define KTG_LAYOUT_LAYOUT_H
+
+#include "core/core.h"
+#include "pattern/pattern.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct ktg_layout_options {
+    ktg_sheet_format sheet; /* A4 */
+    double gap_mm;          /* between pieces; 2 mm */
+    bool keep_grain;        /* only turns of 0 and 180 degrees (cloth); false */
+} ktg_layout_options;
+
+KTG_API void ktg_layout_defaults(ktg_layout_options *options);
+
+typedef struct ktg_layout_report {
+    uint32_t sheets;
+    double fill; /* area of faces over printable area of the sheets used, 0..1 */
+} ktg_layout_report;
+
+/* Fills pattern->sheets (replacing what was there) so that every piece lies on exactly one sheet,
+ * inside its printable area, and the boxes around the pieces do not overlap: a single piece at the
+ * rotation with the most room around it, several in rows. The pattern must be finished.
+ * KTG_GEOMETRY when a piece is larger than the sheet: the message names the piece, its size, and
+ * the scale and finished height at which it would fit. */
+KTG_API KTG_NODISCARD ktg_status ktg_layout_place(ktg_context *context, ktg_pattern *pattern,
+                                                  const ktg_layout_options *options,
+                                                  ktg_layout_report *report);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

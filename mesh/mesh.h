@@ -1,0 +1,200 @@
+/* mesh/mesh.h - the triangle mesh: reading, checking, repairing, simplifying, writing.
+ *
+ * A mesh is plain data: an indexed face list that can hold anything a file may contain,
+ * non-manifold shapes included. Adjacency is built from it when it is needed. The usual order of
+ * calls:
+ *
+ *     ktg_mesh_read -> ktg_mesh_check (what is wrong?) -> ktg_mesh_repair -> ktg_mesh_simplify
+ */
+#ifndef KTG_MESH_MESH_H
+#define KTG_MESH_MESH_H
+
+#include "core/core.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A table of names that faces refer to by index. */
+typedef struct ktg_names {
+    uint32_t count;
+    char **text; /* count strings, UTF-8 as in the file, never NULL */
+} ktg_names;
+
+/* Corner k of face f is entry 3 f + k. Faces run counter-clockwise seen from outside. Arrays marked
+ * "or NULL" are absent when the file had nothing of the kind. Owned by the caller, freed by
+ * ktg_mesh_free. */
+typedef struct ktg_mesh {
+    uint32_t vertex_count, face_count;
+    ktg_vec3 *positions; /* vertex_count; the file's own unit */
+    uint32_t *faces;     /* 3 face_count vertex indices */
+
+    /* face_count: the file's polygon a triangle came from; triangles with the same number are one
+     * input polygon. Or NULL: every triangle is a polygon of its own. */
+    uint32_t *face_polygon;
+
+    /* face_count indices into the name tables (KTG_NONE: none), or NULL. */
+    uint32_t *face_object, *face_group, *face_material;
+    ktg_names objects, groups, materials;
+    char *material_library; /* OBJ's mtllib as written there, or NULL */
+
+    uint32_t uv_count;
+    ktg_vec2 *uvs;     /* uv_count texture coordinates, or NULL */
+    uint32_t *face_uv; /* 3 face_count indices into uvs (KTG_NONE: none), or NULL */
+
+    uint32_t marked_count;  /* OBJ `l` elements: edges somebody marked */
+    uint32_t *marked_edges; /* 2 marked_count vertex indices, or NULL */
+} ktg_mesh;
+
+KTG_API void ktg_mesh_free(ktg_mesh **mesh);
+
+/* A deep copy. */
+KTG_API KTG_NODISCARD ktg_status ktg_mesh_copy(ktg_context *context, const ktg_mesh *mesh,
+                                               ktg_mesh **copy);
+
+/* A mesh from bare arrays (copied): positions 3 vertex_count doubles, faces 3 face_count indices.
+ * KTG_ARGUMENT for an index out of range or a coordinate that is not finite. */
+KTG_API KTG_NODISCARD ktg_status ktg_mesh_new(ktg_context *context, const double *positions,
+                                              uint32_t vertex_count, const uint32_t *faces,
+                                              uint32_t face_count, ktg_mesh **mesh);
+
+/* ---- files -------------------------------------------------------------------------------- */
+
+typedef enum ktg_mesh_format {
+    KTG_MESH_BY_ENDING, /* and where the content clearly says otherwise, by content */
+    KTG_MESH_OBJ,
+    KTG_MESH_STL,
+    KTG_MESH_PLY,
+    KTG_MESH_OFF
+} ktg_mesh_format;
+
+/* Reads a model. OBJ: polygons, negative indices, groups, objects, materials, texture coordinates,
+ * `l` elements. STL, ASCII and binary: vertices welded where they coincide. PLY: ASCII and both
+ * binary orders. OFF. Polygons are cut into triangles (constrained Delaunay in their plane; a
+ * quadrangle along its better diagonal). Every face of the file is kept or the call fails:
+ * KTG_FILE, KTG_FORMAT (with file, line and reason: truncated, index out of range, not a number,
+ * NaN or infinite, no faces, a count the file cannot hold), KTG_LIMIT. */
+KTG_API KTG_NODISCARD ktg_status ktg_mesh_read(ktg_context *context, const char *path,
+                                               ktg_mesh_format format, ktg_mesh **mesh);
+
+/* Appends the model to an output, in the format of its path's ending (or `format`): OBJ with
+ * everything the mesh holds, binary STL, ASCII PLY, OFF (positions and triangles). Numbers read
+ * back to the same double (STL: float). Input polygons are not restored: triangles are written. */
+KTG_API KTG_NODISCARD ktg_status ktg_mesh_write(ktg_context *context, const ktg_mesh *mesh,
+                                                ktg_mesh_format format, ktg_output *output);
+
+/* KTG_MESH_BY_ENDING when the path's ending (any case) is not that of a model format. */
+KTG_API ktg_mesh_format ktg_mesh_format_of(const char *path);
+
+/* ---- adjacency ---------------------------------------------------------------------------- */
+
+/* Half-edge h = 3 f + k runs from corner k of face f to the next one. Edges are undirected pairs of
+ * vertices, numbered in the order in which half-edges first show them; any number of half-edges may
+ * share an edge. */
+typedef struct ktg_adjacency {
+    uint32_t halfedge_count; /* 3 face_count */
+    uint32_t edge_count;
+    uint32_t *halfedge_edge; /* halfedge_count: the edge of each half-edge */
+    uint32_t *edge_first; /* edge_count + 1: where an edge's half-edges start in edge_halfedges */
+    uint32_t *edge_halfedges; /* halfedge_count */
+    uint32_t *twin; /* halfedge_count: the other half-edge where an edge has exactly two that
+                       run in opposite directions, else KTG_NONE */
+} ktg_adjacency;
+
+KTG_API KTG_NODISCARD ktg_status ktg_adjacency_new(ktg_context *context, const ktg_mesh *mesh,
+                                                   ktg_adjacency **adjacency);
+KTG_API void ktg_adjacency_free(ktg_adjacency **adjacency);
+
+/* Faces connected through twins. face_component: face_count numbers 0 .. *count - 1 in order of
+ * first appearance, allocated, freed with ktg_free. */
+KTG_API KTG_NODISCARD ktg_status ktg_mesh_components(ktg_context *context, const ktg_mesh *mesh,
+                                                     const ktg_adjacency *adjacency,
+                                                     uint32_t **face_component, uint32_t *count);
+
+/* The name of each component, after the object, else group, that most of its faces belong to, else
+ * "part 1", "part 2" (or `fallback` when there is only one); made unique by a number behind it.
+ * *names is allocated; free it with ktg_names_free. */
+KTG_API KTG_NODISCARD ktg_status ktg_mesh_component_names(ktg_context *context,
+                                                          const ktg_mesh *mesh,
+                                                          const uint32_t *face_component,
+                                                          uint32_t component_count,
+                                                          const char *fallback, ktg_names *names);
+KTG_API void ktg_names_free(ktg_names *names);
+
+/* ---- checking and repair ------------------------------------------------------------------ */
+
+/* What a mesh is and what is wrong with it. Counts refer to the mesh as it is, except
+ * `unstitched_edges`: borders that would close if coincident vertices were one. */
+typedef struct ktg_mesh_report {
+    uint32_t vertices, faces, edges, components;
+    uint32_t border_edges, border_loops;
+    int64_t euler; /* V - E + F of referenced vertices */
+    int32_t genus; /* of all components together; -1 where non-manifold or not oriented */
+    bool closed, manifold, oriented;
+    uint32_t duplicate_faces, degenerate_faces, unreferenced_vertices;
+    uint32_t nonmanifold_edges, nonmanifold_vertices;
+    uint32_t misoriented_edges; /* edges both of whose faces run the same way */
+    uint32_t unstitched_edges;
+    uint32_t inward_components;  /* closed components that are inside out */
+    bool intersections_known;    /* self-intersections were looked for and counted */
+    uint32_t self_intersections; /* pairs of faces */
+    ktg_vec3 low, high;          /* bounding box */
+    double area, volume;         /* volume is 0 unless closed and oriented */
+} ktg_mesh_report;
+
+/* `intersections`: also look for self-intersections (CGAL; a second or so at 100,000 faces). */
+KTG_API KTG_NODISCARD ktg_status ktg_mesh_check(ktg_context *context, const ktg_mesh *mesh,
+                                                bool intersections, ktg_mesh_report *report);
+
+/* What a repair did. */
+typedef struct ktg_repair_report {
+    uint32_t duplicate_faces_removed, degenerate_faces_removed, unreferenced_vertices_removed;
+    uint32_t vertices_welded; /* coincident vertices made one along unstitched borders */
+    uint32_t faces_turned;    /* faces whose orientation was reversed */
+    uint32_t nonmanifold_edges_split, nonmanifold_vertices_split;
+    uint32_t seams_opened; /* edges cut because their sides cannot be oriented alike (Moebius) */
+    bool changed;
+} ktg_repair_report;
+
+/* Makes the mesh an oriented manifold, with or without border, in place of what it was: duplicate
+ * and degenerate faces go (a sliver whose three corners lie on a line splits its neighbour, so that
+ * no hole opens), borders whose vertices coincide exactly are stitched, faces are oriented alike
+ * and closed components outwards, edges with more than two faces are split so that the pair that
+ * forms the smoothest sheet stays together, vertices are split so that each has one fan. Object,
+ * group, material and texture coordinates follow their faces. Self-intersections stay. KTG_GEOMETRY
+ * when no face is left. */
+KTG_API KTG_NODISCARD ktg_status ktg_mesh_repair(ktg_context *context, ktg_mesh *mesh,
+                                                 ktg_repair_report *report);
+
+/* ---- simplification ----------------------------------------------------------------------- */
+
+typedef struct ktg_simplify_report {
+    uint32_t faces_before, faces_after;
+    bool target_reached;
+} ktg_simplify_report;
+
+/* Collapses edges by quadric error (Garland & Heckbert 1997; OpenMesh's decimater) to at most
+ * `target_faces`, in place. Topology and borders keep, no normal flips, no degenerate face and no
+ * self-intersection that was not there before comes into being; where these rules forbid every
+ * further collapse it stops early (report->target_reached = false). Objects, groups, materials
+ * follow the surviving faces; texture coordinates, polygons and marked edges are dropped when
+ * anything changed. The mesh must be a manifold (as ktg_mesh_repair leaves it), else KTG_ARGUMENT.
+ */
+KTG_API KTG_NODISCARD ktg_status ktg_mesh_simplify(ktg_context *context, ktg_mesh *mesh,
+                                                   uint32_t target_faces,
+                                                   ktg_simplify_report *report);
+
+/* ---- measuring ---------------------------------------------------------------------------- */
+
+/* Symmetric Hausdorff distance between two surfaces, in their unit, by closest points (CGAL AABB
+ * tree) from samples: vertices and points spread over the faces so that no point of either surface
+ * is further than `spacing` from a sample (0: 1/200 of the diagonal). A lower bound that is off by
+ * `spacing` at most. */
+KTG_API KTG_NODISCARD ktg_status ktg_mesh_hausdorff(ktg_context *context, const ktg_mesh *a,
+                                                    const ktg_mesh *b, double spacing,
+                                                    double *distance);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,99 @@
+/* pipeline/pipeline.h - the whole job as one call: a model goes in, files that can be printed come
+ * out.
+ *
+ *     ktg_pipeline_options options;
+ *     ktg_pipeline_defaults(&options);
+ *     options.model = "fox.obj";
+ *     options.outputs = (const char *[]){"fox.pdf", "fox.json"};
+ *     options.output_count = 2;
+ *     ktg_pipeline_report report;
+ *     if (ktg_pipeline_run(context, &options, &report) != KTG_OK)
+ *         puts(ktg_context_message(context));
+ */
+#ifndef KTG_PIPELINE_PIPELINE_H
+#define KTG_PIPELINE_PIPELINE_H
+
+#include "core/core.h"
+#include "flatten/flatten.h"
+#include "layout/layout.h"
+#include "mesh/mesh.h"
+#include "pattern/pattern.h"
+#include "render/render.h"
+#include "unfold/unfold.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* How large the finished model becomes. */
+typedef enum ktg_size_rule {
+    KTG_SIZE_FIT,    /* paper: as large as one sheet allows; cloth: not allowed */
+    KTG_SIZE_HEIGHT, /* the extent along `up` is size_mm */
+    KTG_SIZE_WIDTH,  /* the extent along x (z when x is up) is size_mm */
+    KTG_SIZE_LENGTH, /* the extent along the third axis is size_mm */
+    KTG_SIZE_FACTOR  /* size_mm millimetres per unit of the model file */
+} ktg_size_rule;
+
+typedef enum ktg_axis { KTG_AXIS_AUTO, KTG_AXIS_X, KTG_AXIS_Y, KTG_AXIS_Z } ktg_axis;
+
+/* The number of faces that stands for "as many as there are". */
+#define KTG_ALL_FACES 0
+
+typedef struct ktg_pipeline_options {
+    ktg_pattern_mode mode; /* KTG_PAPER unfolds, KTG_CLOTH flattens */
+    const char *model;     /* path of the model file */
+    ktg_mesh_format model_format;
+    uint32_t faces; /* simplify to this many; 500 for paper, KTG_ALL_FACES for cloth */
+
+    ktg_size_rule size_rule;
+    double size_mm;
+    ktg_axis up; /* auto: z for STL, y otherwise */
+
+    ktg_unfold_options unfold;
+    ktg_flatten_options flatten;
+    ktg_finish_options finish;
+    ktg_layout_options layout;
+    ktg_render_options render;
+
+    const char *const *outputs; /* output_count paths, kinds by ending: .pdf .svg .png .json; "-" is
+                                   PDF on standard output. SVG and PNG of several sheets become
+                                   NAME-01.svg, NAME-02.svg, ... */
+    size_t output_count;
+} ktg_pipeline_options;
+
+KTG_API void ktg_pipeline_defaults(ktg_pipeline_options *options);
+
+/* What came out, and how it was made. */
+typedef struct ktg_pipeline_report {
+    ktg_mesh_report model; /* as read, self-intersections not looked for */
+    ktg_repair_report repair;
+    ktg_simplify_report simplify;
+    ktg_unfold_report unfold;   /* paper */
+    ktg_flatten_report flatten; /* cloth */
+    ktg_finish_report finish;
+    ktg_layout_report layout;
+    uint32_t faces, pieces, components;
+    double mm_per_unit;
+    ktg_vec3 size_mm; /* of the finished model: width, height (along up), length */
+    ktg_axis up;      /* the axis that was taken */
+    double seconds, seconds_unfold;
+} ktg_pipeline_report;
+
+/* Reads, repairs, simplifies, unfolds (or flattens), scales, finishes, lays out, renders and
+ * writes. All outputs are written beside their places first and renamed together at the end: when
+ * anything fails, no file is touched. */
+KTG_API KTG_NODISCARD ktg_status ktg_pipeline_run(ktg_context *context,
+                                                  const ktg_pipeline_options *options,
+                                                  ktg_pipeline_report *report);
+
+/* The report as JSON: faces, pieces, components, seams, tabs_full, tabs_reduced, tabs_none, sheets,
+ * mm_per_unit, fill, seconds, seconds_unfold, stopped_by and more (docs/report.md). */
+KTG_API KTG_NODISCARD ktg_status ktg_pipeline_write_report(ktg_context *context,
+                                                           const ktg_pipeline_options *options,
+                                                           const ktg_pipeline_report *report,
+                                                           ktg_output *output);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

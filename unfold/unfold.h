@@ -1,0 +1,62 @@
+/* unfold/unfold.h - from a surface to flat pieces that fold into it, without any strain.
+ *
+ * The method of Takahashi et al., "Curvature-aware optimized unfolding of 3D meshes" (CGF 30(7),
+ * 2011): dual graph and minimum spanning tree, strips, cut-count table, genetic merging.
+ * docs/unfold.md says which file holds which section of the paper and what was chosen where the
+ * paper is silent. */
+#ifndef KTG_UNFOLD_UNFOLD_H
+#define KTG_UNFOLD_UNFOLD_H
+
+#include "core/core.h"
+#include "mesh/mesh.h"
+#include "pattern/pattern.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Section 5 of the paper. ktg_unfold_defaults gives its values. */
+typedef struct ktg_unfold_options {
+    uint32_t population;   /* chromosomes in a generation, at least 4; 32 */
+    uint32_t generations;  /* at most this many; 2000 */
+    uint32_t patience;     /* stop after so many generations without gain; 30 */
+    double crossover_rate; /* 0..1; 0.8 */
+    double mutation_rate;  /* 0..1; 0.1 */
+    double seconds;        /* an upper bound on the search's time; 0: none */
+} ktg_unfold_options;
+
+KTG_API void ktg_unfold_defaults(ktg_unfold_options *options);
+
+typedef enum ktg_stopped_by {
+    KTG_STOPPED_DONE, /* one piece per component, or converged */
+    KTG_STOPPED_WORK, /* the generations were used up */
+    KTG_STOPPED_TIME,
+    KTG_STOPPED_INTERRUPT
+} ktg_stopped_by;
+
+typedef struct ktg_unfold_report {
+    uint32_t pieces, components;
+    uint32_t strips;      /* initial patches of all components */
+    uint32_t generations; /* of all components together */
+    uint64_t evaluations; /* chromosomes decoded */
+    ktg_stopped_by stopped_by;
+} ktg_unfold_report;
+
+/* Unfolds every component of an oriented manifold (as ktg_mesh_repair leaves it; KTG_ARGUMENT
+ * otherwise). The pattern holds the surface and the pieces in the model's unit, edges with kind and
+ * angle, no tabs; each face lies in exactly one piece and no two faces of a piece overlap by more
+ * than 1e-9 of the model's size. What cannot be merged stays a further piece, so there is always an
+ * answer. `name`: what a single component is called. Inner edges of coplanar input polygons
+ * (mesh->face_polygon) stay folds. The cancel callback ends the search early with the best pieces
+ * so far (stopped_by says so); it is not an error. */
+KTG_API KTG_NODISCARD ktg_status ktg_unfold(ktg_context *context, const ktg_mesh *mesh,
+                                            const char *name, const ktg_unfold_options *options,
+                                            ktg_pattern **pattern, ktg_unfold_report *report);
+
+/* "done", "work", "time", "interrupt". */
+KTG_API const char *ktg_stopped_by_name(ktg_stopped_by stopped_by);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
