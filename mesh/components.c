@@ -1,0 +1,148 @@
+/* mesh/components.c - connected components and what they are called. */
+#include "core/memory.h"
+#include "mesh/mesh.h"
+
+#include <stdio.h>
+#include <string.h>
+
+ktg_status ktg_mesh_components(ktg_context *context, const ktg_mesh *mesh,
+                               const ktg_adjacency *adjacency, uint32_t **face_component,
+                               uint32_t *count) {
+    uint32_t *component = ktg_new(context, mesh->face_count, uint32_t);
+    uint32_t *stack = ktg_new(context, mesh->face_count, uint32_t);
+    *face_component = NULL;
+    *count = 0;
+    if (!component || !stack) {
+        ktg_free(component);
+        ktg_free(stack);
+        return KTG_MEMORY;
+    }
+    memset(component, 0xff, mesh->face_count * sizeof *component);
+    for (uint32_t seed = 0; seed < mesh->face_count; seed++) {
+        if (component[seed] != KTG_NONE)
+            continue;
+        size_t depth = 0;
+        component[seed] = *count;
+        stack[depth++] = seed;
+        while (depth > 0) {
+            uint32_t face = stack[--depth];
+            for (uint32_t h = 3 * face; h < 3 * face + 3; h++) {
+                uint32_t twin = adjacency->twin[h];
+                if (twin == KTG_NONE || component[twin / 3] != KTG_NONE)
+                    continue;
+                component[twin / 3] = *count;
+                stack[depth++] = twin / 3;
+            }
+        }
+        ++*count;
+    }
+    ktg_free(stack);
+    *face_component = component;
+    return KTG_OK;
+}
+
+/* For each component the entry of `table` that most of its faces have (KTG_NONE: none). `index` is
+ * the per-face array; `votes` is scratch for table->count numbers per component in turn. */
+static ktg_status vote(ktg_context *context, const ktg_mesh *mesh, const ktg_names *table,
+                       const uint32_t *index, const uint32_t *face_component,
+                       uint32_t component_count, uint32_t *winner) {
+    if (!index || table->count == 0)
+        return KTG_OK;
+    /* faces sorted by component, so that the votes of one component are counted and wiped in its
+     * size */
+    uint32_t *first = ktg_new(context, (size_t)component_count + 1, uint32_t);
+    uint32_t *faces = ktg_new(context, mesh->face_count, uint32_t);
+    uint32_t *votes = ktg_new(context, table->count, uint32_t);
+    ktg_status status = first && faces && votes ? KTG_OK : KTG_MEMORY;
+    if (status == KTG_OK) {
+        for (uint32_t f = 0; f < mesh->face_count; f++)
+            first[face_component[f] + 1]++;
+        for (uint32_t c = 0; c < component_count; c++)
+            first[c + 1] += first[c];
+        for (uint32_t f = mesh->face_count; f-- > 0;)
+            faces[--first[face_component[f] + 1]] = f;
+        /* every entry moved one place: first[c + 1] is now where c starts */
+        for (uint32_t c = 0; c < component_count; c++) {
+            uint32_t begin = first[c + 1];
+            uint32_t end = c + 1 < component_count ? first[c + 2] : mesh->face_count;
+            uint32_t most = 0;
+            for (uint32_t i = begin; i < end; i++) {
+                uint32_t name = index[faces[i]];
+                if (name != KTG_NONE && ++votes[name] > most) {
+                    most = votes[name];
+                    winner[c] = name;
+                }
+            }
+            for (uint32_t i = begin; i < end; i++)
+                if (index[faces[i]] != KTG_NONE)
+                    votes[index[faces[i]]] = 0;
+        }
+    }
+    ktg_free(first);
+    ktg_free(faces);
+    ktg_free(votes);
+    return status;
+}
+
+static bool name_taken(const ktg_names *names, uint32_t before, const char *text) {
+    for (uint32_t i = 0; i < before; i++)
+        if (strcmp(names->text[i], text) == 0)
+            return true;
+    return false;
+}
+
+/* Sets name c to `base`, with a number behind it where the name is taken already. */
+static ktg_status set_name(ktg_context *context, ktg_names *names, uint32_t c, const char *base) {
+    size_t length = strlen(base) + 16;
+    char *text = ktg_alloc(context, length, 1);
+    if (!text)
+        return KTG_MEMORY;
+    snprintf(text, length, "%s", base);
+    for (uint32_t k = 2; name_taken(names, c, text); k++)
+        snprintf(text, length, "%s %u", base, k);
+    names->text[c] = text;
+    return KTG_OK;
+}
+
+static ktg_status set_names(ktg_context *context, const ktg_mesh *mesh, const uint32_t *by_object,
+                            const uint32_t *by_group, const char *fallback, ktg_names *names) {
+    for (uint32_t c = 0; c < names->count; c++) {
+        char part[32];
+        snprintf(part, sizeof part, "part %u", c + 1);
+        const char *base = part;
+        if (by_object[c] != KTG_NONE)
+            base = mesh->objects.text[by_object[c]];
+        else if (by_group[c] != KTG_NONE)
+            base = mesh->groups.text[by_group[c]];
+        else if (names->count == 1 && fallback)
+            base = fallback;
+        KTG_TRY(set_name(context, names, c, *base ? base : part));
+    }
+    return KTG_OK;
+}
+
+ktg_status ktg_mesh_component_names(ktg_context *context, const ktg_mesh *mesh,
+                                    const uint32_t *face_component, uint32_t component_count,
+                                    const char *fallback, ktg_names *names) {
+    *names =
+        (ktg_names){.count = component_count, .text = ktg_new(context, component_count, char *)};
+    uint32_t *by_object = ktg_new(context, component_count, uint32_t);
+    uint32_t *by_group = ktg_new(context, component_count, uint32_t);
+    ktg_status status = names->text && by_object && by_group ? KTG_OK : KTG_MEMORY;
+    if (status == KTG_OK) {
+        memset(by_object, 0xff, component_count * sizeof *by_object);
+        memset(by_group, 0xff, component_count * sizeof *by_group);
+        status = vote(context, mesh, &mesh->objects, mesh->face_object, face_component,
+                      component_count, by_object);
+    }
+    if (status == KTG_OK)
+        status = vote(context, mesh, &mesh->groups, mesh->face_group, face_component,
+                      component_count, by_group);
+    if (status == KTG_OK)
+        status = set_names(context, mesh, by_object, by_group, fallback, names);
+    ktg_free(by_object);
+    ktg_free(by_group);
+    if (status != KTG_OK)
+        ktg_names_free(names);
+    return status;
+}
