@@ -1,8 +1,8 @@
-/* core/sparse.h - sparse symmetric positive definite systems through CHOLMOD (shared between
- * folders, not installed).
+/* core/sparse.h - sparse symmetric (Hermitian) positive definite systems through CHOLMOD (shared
+ * between folders, not installed).
  *
  * The pattern of use: describe the lower triangle by entries, factor once, solve many right-hand
- * sides by back-substitution. */
+ * sides by back-substitution. A factor is used by one thread at a time. */
 #ifndef KTG_CORE_SPARSE_H
 #define KTG_CORE_SPARSE_H
 
@@ -15,19 +15,37 @@ typedef struct ktg_sparse_entry {
     double value;
 } ktg_sparse_entry;
 
-/* The Cholesky factor of a symmetric positive definite matrix. */
+/* One addend of a Hermitian matrix: x is the real, y the imaginary part. On the diagonal, which is
+ * real, y is ignored. */
+typedef struct ktg_hermitian_entry {
+    uint32_t row, column;
+    ktg_vec2 value;
+} ktg_hermitian_entry;
+
+/* The Cholesky factor of a symmetric or Hermitian positive definite matrix. */
 typedef struct ktg_factor ktg_factor;
 
 /* Factors the n x n matrix given by its lower triangle (`entries`, entry_count, any order).
- * KTG_GEOMETRY when it is not positive definite, KTG_MEMORY. *factor: freed by ktg_factor_free. */
+ * KTG_GEOMETRY when it is not positive definite to working precision (NaN included), KTG_MEMORY,
+ * KTG_LIMIT. *factor: freed by ktg_factor_free, NULL on failure. */
 KTG_NODISCARD ktg_status ktg_factor_new(ktg_context *context, uint32_t n,
                                         const ktg_sparse_entry *entries, size_t entry_count,
                                         ktg_factor **factor);
 
+/* The same for a Hermitian matrix. */
+KTG_NODISCARD ktg_status ktg_factor_new_hermitian(ktg_context *context, uint32_t n,
+                                                  const ktg_hermitian_entry *entries,
+                                                  size_t entry_count, ktg_factor **factor);
+
 /* Solves for `columns` right-hand sides: `right` and `solution` are n x columns, column by column
- * (solution may be the same array as right). */
+ * (solution may be the same array as right). KTG_ARGUMENT for the factor of a Hermitian matrix. */
 KTG_NODISCARD ktg_status ktg_factor_solve(ktg_context *context, ktg_factor *factor,
                                           const double *right, uint32_t columns, double *solution);
+
+/* The same with complex numbers, for the factor of a Hermitian matrix (else KTG_ARGUMENT). */
+KTG_NODISCARD ktg_status ktg_factor_solve_hermitian(ktg_context *context, ktg_factor *factor,
+                                                    const ktg_vec2 *right, uint32_t columns,
+                                                    ktg_vec2 *solution);
 
 void ktg_factor_free(ktg_factor **factor);
 
