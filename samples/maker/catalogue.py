@@ -2,12 +2,15 @@
 
 from collections import namedtuple
 
-from . import bird, fox, whale
+from . import (bird, blouse, egg, fox, house, lampshade, mask, polyhedra,
+               robot, tubes, whale)
 from .check import Promise
 
+# `digits` counts the decimals of the file's centimetres.
 Model = namedtuple("Model", "name title build digits promise")
 
 ANIMAL = dict(edge=0.02, angle=10.0, clearance=0.05)
+SOLID = dict(edge=0.02, angle=20.0, clearance=0.05)
 
 MODELS = [
     Model("fox", "sitting fox", fox.build, 3,
@@ -16,4 +19,27 @@ MODELS = [
           Promise(faces=(150, 600), **ANIMAL)),
     Model("bird", "toucan", bird.build, 3,
           Promise(faces=(150, 600), **ANIMAL)),
+    Model("mask", "carnival mask", mask.build, 3,
+          Promise(faces=(100, 300), borders=3, **ANIMAL)),
+    Model("house", "cottage of planar polygons", house.build, 3,
+          Promise(faces=(20, 60), edge=0.02, angle=15.0, clearance=0.05)),
+    Model("geodesic", "geodesic ball, frequency 3", polyhedra.build_geodesic,
+          4, Promise(faces=(180, 180), **SOLID)),
+    Model("star", "small stellated dodecahedron", polyhedra.build_star, 4,
+          Promise(faces=(60, 60), **SOLID)),
+    Model("torus", "low torus", tubes.build_torus, 4,
+          Promise(faces=(150, 300), genus=1, **SOLID)),
+    Model("knot", "trefoil knot", tubes.build_knot, 4,
+          Promise(faces=(400, 800), genus=1, **SOLID)),
+    Model("lampshade", "twisted, fluted lampshade, open at both ends", lampshade.build, 4,
+          Promise(faces=(150, 300), borders=2, **SOLID)),
+    Model("robot", "robot of many parts", robot.build, 3,
+          Promise(faces=(200, 500), components=21, edge=0.01, angle=20.0,
+                  clearance=0.05)),
+    Model("blouse-front", "front panel of a blouse, in centimetres",
+          blouse.build, 3, Promise(faces=(500, 2000), borders=1, edge=0.01,
+                                   angle=15.0, clearance=0.05)),
+    Model("dragon-egg", "dragon's egg, dense as a scan", egg.build, 3,
+          Promise(faces=(20001, 30000), edge=0.0, angle=1.0,
+                  starlike=(0.0, 0.0, 0.0))),
 ]

@@ -123,12 +123,32 @@ class Mesh:
         if len(face) == 3:
             return [face]
         if len(face) > 4:
-            return [(face[0], face[i], face[i + 1])
-                    for i in range(1, len(face) - 1)]
+            return self.clip_ears(face)
         a, b, c, d = face
         choices = [((a, b, c), (a, c, d)), ((a, b, d), (b, c, d))]
         return max(choices, key=lambda pair: min(
             self.smallest_angle(t) for t in pair))
+
+    def clip_ears(self, face):
+        """Triangles of a planar polygon that need not be convex."""
+        normal = vec.polygon_normal([self.points[i] for i in face])
+        rest, parts = list(face), []
+        while len(rest) > 3:
+            n = len(rest)
+            ear = next(k for k in range(n) if self.is_ear(
+                rest[k - 1], rest[k], rest[(k + 1) % n], rest, normal))
+            parts.append((rest[ear - 1], rest[ear], rest[(ear + 1) % n]))
+            del rest[ear]
+        return parts + [tuple(rest)]
+
+    def is_ear(self, a, b, c, polygon, normal):
+        corners = [self.points[i] for i in (a, b, c)]
+        if turn(*corners, normal) <= 0.0:
+            return False
+        return not any(
+            all(turn(p, q, self.points[i], normal) >= 0.0
+                for p, q in neighbours(corners))
+            for i in polygon if i not in (a, b, c))
 
     def smallest_angle(self, face):
         p = [self.points[i] for i in face]
@@ -154,6 +174,11 @@ class Mesh:
 
 def neighbours(loop):
     return [(loop[i], loop[(i + 1) % len(loop)]) for i in range(len(loop))]
+
+
+def turn(a, b, c, normal):
+    """Positive where a, b, c turn left seen against the normal."""
+    return vec.dot(vec.cross(vec.sub(b, a), vec.sub(c, a)), normal)
 
 
 def rim_of(faces):
