@@ -114,7 +114,8 @@ def add_porch(house):
             (DOOR_HALF, DOOR_TOP, PORCH_FRONT))
     house.use(material="door")
     polygon(house, (-DOOR_HALF, 0, DOOR_BACK), (DOOR_HALF, 0, DOOR_BACK),
-            (DOOR_HALF, DOOR_TOP, DOOR_BACK), (-DOOR_HALF, DOOR_TOP, DOOR_BACK))
+            (DOOR_HALF, DOOR_TOP, DOOR_BACK),
+            (-DOOR_HALF, DOOR_TOP, DOOR_BACK))
     house.use(material="roof")
     both_sides(house, (PORCH_HALF, PORCH_WALL, PORCH_FRONT),
                (PORCH_HALF, PORCH_WALL, FRONT), (0, PORCH_RIDGE, FRONT),

@@ -1,4 +1,4 @@
-"""A polygon mesh that is put together by hand: points, faces and face labels."""
+"""A polygon mesh put together by hand: points, faces and face labels."""
 
 from collections import namedtuple
 
@@ -83,7 +83,8 @@ class Mesh:
         wanted = {frozenset(cell) for cell in cells}
         gone = [f for f in self.faces if frozenset(f) in wanted]
         assert len(gone) == len(wanted), "no such face to open"
-        keep = [k for k, f in enumerate(self.faces) if frozenset(f) not in wanted]
+        keep = [k for k, f in enumerate(self.faces)
+                if frozenset(f) not in wanted]
         self.faces, self.labels = ([self.faces[k] for k in keep],
                                    [self.labels[k] for k in keep])
         return rim_of(gone)

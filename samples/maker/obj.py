@@ -2,7 +2,8 @@
 
 import os
 
-HEADER = "# %s\n# Katagami sample model; made by samples/make-samples.py, do not edit\n"
+HEADER = ("# %s\n# Katagami sample model; "
+          "made by samples/make-samples.py, do not edit\n")
 
 
 def write(folder, name, title, mesh, digits, colours):

@@ -49,7 +49,8 @@ def subdivided(frequency):
             for j in range(frequency - i):
                 small.append((at(i, j), at(i + 1, j), at(i, j + 1)))
                 if i + j + 2 <= frequency:
-                    small.append((at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)))
+                    small.append((at(i + 1, j), at(i + 1, j + 1),
+                                  at(i, j + 1)))
     return points, small
 
 
