@@ -31,7 +31,7 @@ RINGS = [
 ]
 
 # From this point of each ring on, down to the belly, the skin is pale.
-PALE_FROM = (3, 3, 3, 3, 3, 4, 9, 9, 9)
+PALE_FROM = (3, 3, 3, 3, 4, 4, 5, 9, 9)
 
 
 def build():
@@ -43,6 +43,9 @@ def build():
     snout = whale.point(SNOUT)
     for upper, lower in zip(rings[0], rings[0][1:]):
         whale.face(snout, lower, upper)
+    # Creases where the pale belly narrows towards the tail.
+    for front, rear, j in ((rings[3], rings[4], 3), (rings[5], rings[6], 4)):
+        whale.crease(front[j], front[j + 1], rear[j + 1], rear[j])
     pale = {p for ring, first in zip(rings, PALE_FROM) for p in ring[first:]}
     whale.paint_between("cream", pale | {snout})
     add_eye(whale, rings[1], rings[2])
