@@ -1,0 +1,139 @@
+/* flatten/kernel.h - the parts of the flattening kernel and what they hand each other (this room
+ * only).
+ *
+ *     ktg_panel_new            the panel: normalised, with adjacency
+ *     ktg_panel_check_disk     is it a disk, and if not, what is it
+ *     ktg_neighbourhoods_new   every edge's surroundings laid flat
+ *     ktg_similarity_step      the paper's first solve
+ *     ktg_scale_step           the paper's second solve
+ *     ktg_strain_measure       how much the flat shape strains each face
+ *     ktg_flat_pattern         the result as a pattern
+ */
+#ifndef KTG_FLATTEN_KERNEL_H
+#define KTG_FLATTEN_KERNEL_H
+
+#include "flatten/flatten.h"
+
+/* ---- panel.c ------------------------------------------------------------------------------ */
+
+/* A mesh as the kernel sees it: moved and scaled by a power of two, so that the largest side of its
+ * bounding box lies in [1/2, 1) and nothing below depends on the model's unit. */
+typedef struct ktg_panel {
+    uint32_t vertex_count, face_count;
+    const uint32_t *faces; /* 3 face_count, the mesh's own */
+    ktg_vec3 *positions;   /* vertex_count, normalised */
+    int exponent;          /* a length here times 2^exponent is one of the model */
+    ktg_adjacency *adjacency;
+    uint32_t *leaving; /* vertex_count: a half-edge that leaves the vertex, the one on the border
+                          where there is one; KTG_NONE of an unused vertex */
+} ktg_panel;
+
+/* KTG_ARGUMENT, KTG_GEOMETRY for a face without area (named). */
+KTG_NODISCARD ktg_status ktg_panel_new(ktg_context *context, const ktg_mesh *mesh,
+                                       ktg_panel **panel);
+void ktg_panel_free(ktg_panel **panel);
+
+/* The edge in the middle of a disk: nearest to its centre of area among those that lie deep enough
+ * inside. The choice does not depend on where the model lies. */
+KTG_NODISCARD ktg_status ktg_panel_middle(ktg_context *context, const ktg_panel *panel,
+                                          uint32_t *edge);
+
+static inline uint32_t ktg_halfedge_next(uint32_t h) {
+    return h % 3 == 2 ? h - 2 : h + 1;
+}
+
+/* The next half-edge counter-clockwise that leaves the same vertex, or KTG_NONE at the border. */
+static inline uint32_t ktg_panel_around(const ktg_panel *panel, uint32_t h) {
+    return panel->adjacency->twin[ktg_halfedge_next(ktg_halfedge_next(h))];
+}
+
+/* ---- disk.c ------------------------------------------------------------------------------- */
+
+/* KTG_GEOMETRY with what it is instead, unless the panel is one topological disk. */
+KTG_NODISCARD ktg_status ktg_panel_check_disk(ktg_context *context, const ktg_mesh *mesh,
+                                              const ktg_panel *panel);
+
+/* ---- neighbourhood.c ---------------------------------------------------------------------- */
+
+/* An edge's end points a, b and the opposite corners c, d of its two triangles (on a border: c
+ * only), laid flat. The plane is that of complex numbers: a similarity is a product. */
+typedef struct ktg_neighbourhood {
+    uint32_t count; /* 4, or 3 on a border */
+    uint32_t vertices[4];
+    ktg_vec2 flat[4]; /* a' = (0, 0), b' = (|ab|, 0), c' above, d' below */
+    double weight;
+} ktg_neighbourhood;
+
+/* One for each edge of the adjacency; allocated, freed with ktg_free. */
+KTG_NODISCARD ktg_status ktg_neighbourhoods_new(ktg_context *context, const ktg_panel *panel,
+                                                ktg_edge_weight weight,
+                                                ktg_neighbourhood **neighbourhoods);
+
+/* The similarity T that maps the neighbourhood best (least squares, equation 3) to `positions` when
+ * the vertex `vertices[base]` stays where it is: T = sum of factors[v] positions[vertices[v]]. The
+ * factors add up to 0. */
+void ktg_neighbourhood_similarity(const ktg_neighbourhood *neighbourhood, uint32_t base,
+                                  ktg_vec2 factors[4]);
+
+/* Products of complex numbers: a b, and conj(a) b. */
+static inline ktg_vec2 ktg_turn(ktg_vec2 a, ktg_vec2 b) {
+    return (ktg_vec2){a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
+}
+static inline ktg_vec2 ktg_turn_back(ktg_vec2 a, ktg_vec2 b) {
+    return (ktg_vec2){a.x * b.x + a.y * b.y, a.x * b.y - a.y * b.x};
+}
+
+/* ---- two_step.c --------------------------------------------------------------------------- */
+
+/* Vertices held where they are: one per handle of a manipulated shape, two for a flattened panel.
+ */
+typedef struct ktg_pins {
+    uint32_t count;
+    const uint32_t *vertices;
+    const ktg_vec2 *positions;
+} ktg_pins;
+
+/* Edge neighbourhoods and how many vertices they speak of. */
+typedef struct ktg_edges {
+    uint32_t vertex_count, edge_count;
+    const ktg_neighbourhood *neighbourhoods; /* edge_count */
+} ktg_edges;
+
+/* Section 4.2: positions (vertex_count) that are as similar as possible; at least two pins. */
+KTG_NODISCARD ktg_status ktg_similarity_step(ktg_context *context, const ktg_edges *edges,
+                                             const ktg_pins *pins, ktg_vec2 *positions);
+
+/* Section 4.3: from the rotations of `positions`, positions of the right size, in place; at least
+ * one pin. */
+KTG_NODISCARD ktg_status ktg_scale_step(ktg_context *context, const ktg_edges *edges,
+                                        const ktg_pins *pins, ktg_vec2 *positions);
+
+/* ---- strain.c ----------------------------------------------------------------------------- */
+
+/* The map of one face from 3D to 2D: its signed singular values s1 >= |s2| and the image of a
+ * direction of space, projected into the face. */
+typedef struct ktg_face_map {
+    ktg_vec2 columns[2]; /* images of an orthonormal frame of the face */
+    ktg_vec3 frame[2];
+    double s1, s2;
+    double area; /* in 3D */
+} ktg_face_map;
+
+ktg_face_map ktg_face_map_of(const ktg_panel *panel, uint32_t face, const ktg_vec2 *flat);
+ktg_vec2 ktg_face_map_direction(const ktg_face_map *map, ktg_vec3 direction);
+
+/* Fills all of *report but the time; face_strain (face_count) may be NULL. *first_flipped: the
+ * first face that came out turned over or without area, or KTG_NONE. */
+KTG_NODISCARD ktg_status ktg_strain_measure(ktg_context *context, const ktg_panel *panel,
+                                            const ktg_vec2 *flat, double *face_strain,
+                                            ktg_flatten_report *report, uint32_t *first_flipped);
+
+/* ---- pattern.c ---------------------------------------------------------------------------- */
+
+/* The flat positions (normalised; turned upright and scaled back in place) as a pattern of one
+ * piece. face_strain is copied. */
+KTG_NODISCARD ktg_status ktg_flat_pattern(ktg_context *context, const ktg_mesh *mesh,
+                                          const ktg_panel *panel, const char *name, ktg_vec2 *flat,
+                                          const double *face_strain, ktg_pattern **pattern);
+
+#endif

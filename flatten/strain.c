@@ -1,0 +1,116 @@
+/* flatten/strain.c - how much the flat shape strains each face: singular values, ARAP energy,
+ * strain, length of the border.
+ *
+ * The energy is that of Liu et al. 2008: sum A ((s1 - 1)^2 + (s2 - 1)^2) / sum A, with signed
+ * singular values. */
+#include "core/memory.h"
+#include "core/predicate.h"
+#include "core/vec.h"
+#include "flatten/kernel.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* With the map as J = conformal + anticonformal part, z -> p z + q conj(z): s1, s2 = |p| +- |q|. */
+static void set_singular_values(ktg_face_map *map) {
+    ktg_vec2 a = map->columns[0], b = map->columns[1];
+    double conformal = hypot(a.x + b.y, a.y - b.x) / 2;
+    double anticonformal = hypot(a.x - b.y, a.y + b.x) / 2;
+    map->s1 = conformal + anticonformal;
+    map->s2 = conformal - anticonformal;
+}
+
+ktg_face_map ktg_face_map_of(const ktg_panel *panel, uint32_t face, const ktg_vec2 *flat) {
+    const uint32_t *v = panel->faces + 3 * (size_t)face;
+    const ktg_vec3 *p = panel->positions;
+    ktg_vec3 along = ktg_sub3(p[v[1]], p[v[0]]), third = ktg_sub3(p[v[2]], p[v[0]]);
+    ktg_vec3 normal = ktg_cross3(along, third);
+    double length = ktg_length3(along), height = ktg_length3(normal) / length;
+    ktg_face_map map = {.area = length * height / 2};
+    map.frame[0] = ktg_mul3(along, 1 / length);
+    map.frame[1] = ktg_unit3(ktg_cross3(normal, along));
+    map.columns[0] = ktg_mul2(ktg_sub2(flat[v[1]], flat[v[0]]), 1 / length);
+    ktg_vec2 above =
+        ktg_madd2(ktg_sub2(flat[v[2]], flat[v[0]]), -ktg_dot3(third, map.frame[0]), map.columns[0]);
+    map.columns[1] = ktg_mul2(above, 1 / height);
+    set_singular_values(&map);
+    return map;
+}
+
+ktg_vec2 ktg_face_map_direction(const ktg_face_map *map, ktg_vec3 direction) {
+    ktg_vec2 image = ktg_mul2(map->columns[0], ktg_dot3(direction, map->frame[0]));
+    return ktg_madd2(image, ktg_dot3(direction, map->frame[1]), map->columns[1]);
+}
+
+/* The relative change of the border's length. */
+static double border_error(const ktg_panel *panel, const ktg_vec2 *flat) {
+    double length_2d = 0, length_3d = 0;
+    for (uint32_t h = 0; h < panel->adjacency->halfedge_count; h++) {
+        if (panel->adjacency->twin[h] != KTG_NONE)
+            continue;
+        uint32_t a = panel->faces[h], b = panel->faces[ktg_halfedge_next(h)];
+        length_2d += ktg_length2(ktg_sub2(flat[b], flat[a]));
+        length_3d += ktg_length3(ktg_sub3(panel->positions[b], panel->positions[a]));
+    }
+    return (length_2d - length_3d) / length_3d;
+}
+
+typedef struct strained_area {
+    double strain, area;
+} strained_area;
+
+static int by_strain(const void *a, const void *b) {
+    double x = ((const strained_area *)a)->strain, y = ((const strained_area *)b)->strain;
+    return (x > y) - (x < y);
+}
+
+/* The strain that `part` of the area does not exceed; sorts. */
+static double percentile(strained_area *areas, uint32_t count, double part, double total) {
+    qsort(areas, count, sizeof *areas, by_strain);
+    double sum = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        sum += areas[i].area;
+        if (sum >= part * total)
+            return areas[i].strain;
+    }
+    return areas[count - 1].strain;
+}
+
+static bool is_flipped(const ktg_panel *panel, uint32_t face, const ktg_vec2 *flat) {
+    const uint32_t *v = panel->faces + 3 * (size_t)face;
+    return ktg_orientation2(flat[v[0]], flat[v[1]], flat[v[2]]) <= 0;
+}
+
+static void add_face(ktg_face_map map, ktg_flatten_report *report, strained_area *strained) {
+    double d1 = map.s1 - 1, d2 = map.s2 - 1;
+    double strain = fmax(fabs(d1), fabs(d2));
+    *strained = (strained_area){strain, map.area};
+    report->arap_energy += map.area * (d1 * d1 + d2 * d2);
+    report->strain_mean += map.area * strain;
+    report->strain_max = fmax(report->strain_max, strain);
+}
+
+ktg_status ktg_strain_measure(ktg_context *context, const ktg_panel *panel, const ktg_vec2 *flat,
+                              double *face_strain, ktg_flatten_report *report,
+                              uint32_t *first_flipped) {
+    strained_area *areas = ktg_new(context, panel->face_count, strained_area);
+    if (!areas)
+        return KTG_MEMORY;
+    double total = 0;
+    *report = (ktg_flatten_report){.faces = panel->face_count};
+    *first_flipped = KTG_NONE;
+    for (uint32_t f = 0; f < panel->face_count; f++) {
+        add_face(ktg_face_map_of(panel, f, flat), report, &areas[f]);
+        total += areas[f].area;
+        if (face_strain)
+            face_strain[f] = areas[f].strain;
+        if (is_flipped(panel, f, flat) && report->flipped_faces++ == 0)
+            *first_flipped = f;
+    }
+    report->arap_energy /= total;
+    report->strain_mean /= total;
+    report->strain_p95 = percentile(areas, panel->face_count, 0.95, total);
+    report->border_error = border_error(panel, flat);
+    ktg_free(areas);
+    return KTG_OK;
+}
