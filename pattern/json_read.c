@@ -1,0 +1,543 @@
+/* pattern/json_read.c - reading a pattern from JSON (docs/pattern-json.md), every key and every
+ * index checked. */
+#include "core/file.h"
+#include "core/memory.h"
+#include "pattern/json_value.h"
+#include "pattern/json_words.h"
+#include "pattern/pattern.h"
+
+#include <string.h>
+
+/* A pattern of a million faces has about 300 MB. */
+#define MOST_BYTES ((size_t)1 << 29)
+/* Counts that are not indices into the file. */
+#define MOST_COUNT      UINT32_MAX
+#define LABEL_HEIGHT_MM 2.4 /* where a file of another program does not say */
+
+typedef struct reader {
+    ktg_pattern *pattern;
+    ktg_json root, pieces, edges;
+    ktg_json_ids piece_ids, edge_ids;
+} reader;
+
+/* Allocates `count` zeroed items; on failure the status of the calling function. */
+#define TAKE(at, items, count, type)                                                               \
+    do {                                                                                           \
+        (items) = ktg_new((at)->context, count, type);                                             \
+        if (!(items))                                                                              \
+            return KTG_MEMORY;                                                                     \
+    } while (0)
+
+static ktg_status read_points(const ktg_json *list, ktg_vec2 **points, size_t *count) {
+    *count = ktg_json_length(list);
+    double *numbers = NULL;
+    ktg_status status = ktg_json_rows(list, 2, &numbers);
+    *points = (ktg_vec2 *)numbers; /* a ktg_vec2 is two doubles */
+    return status;
+}
+
+/* The id at `key` as an index. */
+static ktg_status read_id(const ktg_json *object, const char *key, const ktg_json_ids *ids,
+                          uint32_t *index) {
+    ktg_json at;
+    KTG_TRY(ktg_json_get(object, key, KTG_JSON_INTEGER, &at));
+    return ktg_json_ids_find(ids, &at, index);
+}
+
+/* ---- head and mesh ------------------------------------------------------------------------ */
+
+static ktg_status read_head(const ktg_json *root, ktg_pattern *p) {
+    static const char *const formats[] = {"katagami-pattern", NULL};
+    static const char *const units[] = {"mm", NULL};
+    int word;
+    uint32_t version;
+    ktg_json model, at;
+    KTG_TRY(ktg_json_word(root, "format", formats, &word));
+    KTG_TRY(ktg_json_get(root, "version", KTG_JSON_INTEGER, &at));
+    KTG_TRY(ktg_json_below(&at, MOST_COUNT, &version));
+    if (version != 1)
+        return ktg_json_refuse(&at, "is %u, but only version 1 can be read", version);
+    KTG_TRY(ktg_json_word(root, "units", units, &word));
+    KTG_TRY(ktg_json_word(root, "mode", ktg_json_modes, &word));
+    p->mode = (ktg_pattern_mode)word;
+    KTG_TRY(ktg_json_get(root, "model", KTG_JSON_OBJECT, &model));
+    KTG_TRY(ktg_json_text(&model, "file", &p->model_file));
+    KTG_TRY(ktg_json_count(&model, "faces", MOST_COUNT, &p->model_faces));
+    KTG_TRY(ktg_json_number(&model, "mm_per_unit", &p->mm_per_unit));
+    KTG_TRY(ktg_json_get(&model, "mm_per_unit", KTG_JSON_NUMBER, &at));
+    if (p->mm_per_unit < 0)
+        return ktg_json_refuse(&at, "must not be negative");
+    KTG_TRY(ktg_json_get(&model, "simplified", KTG_JSON_BOOLEAN, &at));
+    p->simplified = json_is_true(at.value);
+    return KTG_OK;
+}
+
+static ktg_status read_strain(const ktg_json *mesh, ktg_pattern *p) {
+    ktg_json at;
+    KTG_TRY(ktg_json_get_optional(mesh, "face_strain", KTG_JSON_ARRAY, &at));
+    if (!at.value)
+        return KTG_OK;
+    TAKE(mesh, p->face_strain, p->face_count, double);
+    return ktg_json_numbers(&at, p->face_count, p->face_strain);
+}
+
+static ktg_status read_mesh(const ktg_json *root, ktg_pattern *p) {
+    ktg_json mesh, at, row;
+    double *numbers = NULL;
+    KTG_TRY(ktg_json_get(root, "mesh", KTG_JSON_OBJECT, &mesh));
+    KTG_TRY(ktg_json_get(&mesh, "vertices", KTG_JSON_ARRAY, &at));
+    p->vertex_count = (uint32_t)ktg_json_length(&at);
+    ktg_status status = ktg_json_rows(&at, 3, &numbers);
+    p->vertices = (ktg_vec3 *)numbers; /* a ktg_vec3 is three doubles */
+    KTG_TRY(status);
+    KTG_TRY(ktg_json_get(&mesh, "faces", KTG_JSON_ARRAY, &at));
+    p->face_count = (uint32_t)ktg_json_length(&at);
+    TAKE(&mesh, p->faces, 3 * (size_t)p->face_count, uint32_t);
+    for (size_t i = 0; i < p->face_count; i++) {
+        KTG_TRY(ktg_json_item(&at, i, KTG_JSON_ARRAY, &row));
+        KTG_TRY(ktg_json_indices(&row, 3, p->vertex_count, p->faces + 3 * i));
+    }
+    return read_strain(&mesh, p);
+}
+
+/* ---- pieces ------------------------------------------------------------------------------- */
+
+static ktg_status read_faces(const ktg_json *object, const ktg_pattern *p,
+                             ktg_pattern_piece *piece) {
+    ktg_json list;
+    KTG_TRY(ktg_json_get(object, "faces", KTG_JSON_ARRAY, &list));
+    piece->face_count = ktg_json_length(&list);
+    TAKE(object, piece->faces, piece->face_count, uint32_t);
+    TAKE(object, piece->corners, 3 * piece->face_count, uint32_t);
+    for (size_t i = 0; i < piece->face_count; i++) {
+        ktg_json face, corners;
+        KTG_TRY(ktg_json_item(&list, i, KTG_JSON_OBJECT, &face));
+        KTG_TRY(ktg_json_count(&face, "face", p->face_count, &piece->faces[i]));
+        KTG_TRY(ktg_json_get(&face, "corners", KTG_JSON_ARRAY, &corners));
+        KTG_TRY(ktg_json_indices(&corners, 3, piece->vertex_count, piece->corners + 3 * i));
+    }
+    return KTG_OK;
+}
+
+static ktg_status read_tab(const ktg_json *object, const reader *r, ktg_pattern_tab *tab) {
+    ktg_json polygon, at;
+    int word = KTG_TAB_FULL;
+    KTG_TRY(read_id(object, "edge", &r->edge_ids, &tab->edge));
+    KTG_TRY(ktg_json_get_optional(object, "size", KTG_JSON_STRING, &at));
+    if (at.value)
+        KTG_TRY(ktg_json_word(object, "size", ktg_json_tab_sizes, &word));
+    tab->size = (ktg_tab_size)word;
+    KTG_TRY(ktg_json_get(object, "polygon", KTG_JSON_ARRAY, &polygon));
+    size_t length = ktg_json_length(&polygon);
+    if (length < 3 || length > KTG_TAB_CORNERS)
+        return ktg_json_refuse(&polygon, "must have 3 to %d points, but it has %zu",
+                               KTG_TAB_CORNERS, length);
+    tab->corner_count = (uint32_t)length;
+    for (size_t i = 0; i < length; i++) {
+        double numbers[2];
+        KTG_TRY(ktg_json_item(&polygon, i, KTG_JSON_ARRAY, &at));
+        KTG_TRY(ktg_json_numbers(&at, 2, numbers));
+        tab->corners[i] = (ktg_vec2){numbers[0], numbers[1]};
+    }
+    return KTG_OK;
+}
+
+static ktg_status read_tabs(const ktg_json *object, const reader *r, ktg_pattern_piece *piece) {
+    ktg_json list, item;
+    KTG_TRY(ktg_json_get(object, "tabs", KTG_JSON_ARRAY, &list));
+    piece->tab_count = ktg_json_length(&list);
+    TAKE(object, piece->tabs, piece->tab_count, ktg_pattern_tab);
+    for (size_t i = 0; i < piece->tab_count; i++) {
+        KTG_TRY(ktg_json_item(&list, i, KTG_JSON_OBJECT, &item));
+        KTG_TRY(read_tab(&item, r, &piece->tabs[i]));
+    }
+    return KTG_OK;
+}
+
+static ktg_status read_lines(const ktg_json *object, ktg_pattern_piece *piece) {
+    ktg_json list, item, points;
+    int word;
+    KTG_TRY(ktg_json_get(object, "lines", KTG_JSON_ARRAY, &list));
+    size_t length = ktg_json_length(&list);
+    TAKE(object, piece->lines, length, ktg_pattern_line);
+    piece->line_count = length;
+    for (size_t i = 0; i < length; i++) {
+        ktg_pattern_line *line = &piece->lines[i];
+        KTG_TRY(ktg_json_item(&list, i, KTG_JSON_OBJECT, &item));
+        KTG_TRY(ktg_json_word(&item, "kind", ktg_json_line_kinds, &word));
+        line->kind = (ktg_line_kind)word;
+        KTG_TRY(ktg_json_get(&item, "points", KTG_JSON_ARRAY, &points));
+        KTG_TRY(read_points(&points, &line->points, &line->point_count));
+    }
+    return KTG_OK;
+}
+
+/* A number that may be left out. */
+static ktg_status read_optional(const ktg_json *object, const char *key, double otherwise,
+                                double *number) {
+    ktg_json at;
+    *number = otherwise;
+    KTG_TRY(ktg_json_get_optional(object, key, KTG_JSON_NUMBER, &at));
+    return at.value ? ktg_json_number(object, key, number) : KTG_OK;
+}
+
+static ktg_status read_label(const ktg_json *object, const reader *r, ktg_pattern_label *label) {
+    ktg_json at;
+    KTG_TRY(ktg_json_get(object, "text", KTG_JSON_STRING, &at));
+    size_t length = json_string_length(at.value);
+    if (length >= sizeof label->text)
+        return ktg_json_refuse(&at, "has %zu bytes, but a label has %zu at most", length,
+                               sizeof label->text - 1);
+    memcpy(label->text, json_string_value(at.value), length);
+    KTG_TRY(ktg_json_number(object, "x", &label->at.x));
+    KTG_TRY(ktg_json_number(object, "y", &label->at.y));
+    KTG_TRY(read_optional(object, "rotation_deg", 0, &label->rotation));
+    label->rotation = ktg_json_radians(label->rotation);
+    KTG_TRY(read_optional(object, "height_mm", LABEL_HEIGHT_MM, &label->height_mm));
+    label->edge = KTG_NONE;
+    KTG_TRY(ktg_json_get_optional(object, "edge", KTG_JSON_INTEGER, &at));
+    return at.value ? ktg_json_ids_find(&r->edge_ids, &at, &label->edge) : KTG_OK;
+}
+
+static ktg_status read_labels(const ktg_json *object, const reader *r, ktg_pattern_piece *piece) {
+    ktg_json list, item;
+    KTG_TRY(ktg_json_get(object, "labels", KTG_JSON_ARRAY, &list));
+    piece->label_count = ktg_json_length(&list);
+    TAKE(object, piece->labels, piece->label_count, ktg_pattern_label);
+    for (size_t i = 0; i < piece->label_count; i++) {
+        KTG_TRY(ktg_json_item(&list, i, KTG_JSON_OBJECT, &item));
+        KTG_TRY(read_label(&item, r, &piece->labels[i]));
+    }
+    return KTG_OK;
+}
+
+static ktg_status read_piece(const ktg_json *object, const reader *r, ktg_pattern_piece *piece) {
+    ktg_json at;
+    piece->component = KTG_NONE;
+    KTG_TRY(ktg_json_text(object, "name", &piece->name));
+    KTG_TRY(ktg_json_get(object, "vertices", KTG_JSON_ARRAY, &at));
+    KTG_TRY(read_points(&at, &piece->vertices, &piece->vertex_count));
+    KTG_TRY(read_faces(object, r->pattern, piece));
+    KTG_TRY(ktg_json_get(object, "outline", KTG_JSON_ARRAY, &at));
+    if (ktg_json_length(&at) > 0)
+        KTG_TRY(read_points(&at, &piece->outline, &piece->outline_count));
+    KTG_TRY(read_tabs(object, r, piece));
+    KTG_TRY(read_lines(object, piece));
+    KTG_TRY(read_labels(object, r, piece));
+    KTG_TRY(ktg_json_get(object, "cut", KTG_JSON_OBJECT, &at));
+    KTG_TRY(ktg_json_count(&at, "count", MOST_COUNT, &piece->cut_count));
+    return ktg_json_count(&at, "mirrored", MOST_COUNT, &piece->cut_mirrored);
+}
+
+static ktg_status read_pieces(reader *r) {
+    ktg_pattern *p = r->pattern;
+    TAKE(&r->root, p->pieces, r->piece_ids.count, ktg_pattern_piece);
+    p->piece_count = r->piece_ids.count;
+    for (size_t i = 0; i < p->piece_count; i++) {
+        ktg_json item;
+        KTG_TRY(ktg_json_item(&r->pieces, i, KTG_JSON_OBJECT, &item));
+        KTG_TRY(read_piece(&item, r, &p->pieces[i]));
+    }
+    return KTG_OK;
+}
+
+/* ---- components --------------------------------------------------------------------------- */
+
+static ktg_status read_component(const ktg_json *object, const reader *r, uint32_t component) {
+    ktg_json list, item;
+    uint32_t piece;
+    KTG_TRY(ktg_json_text(object, "name", &r->pattern->components[component].name));
+    KTG_TRY(ktg_json_get(object, "pieces", KTG_JSON_ARRAY, &list));
+    for (size_t i = 0; i < ktg_json_length(&list); i++) {
+        KTG_TRY(ktg_json_item(&list, i, KTG_JSON_INTEGER, &item));
+        KTG_TRY(ktg_json_ids_find(&r->piece_ids, &item, &piece));
+        if (r->pattern->pieces[piece].component != KTG_NONE)
+            return ktg_json_refuse(&item, "names a piece that component number %u has already",
+                                   r->pattern->pieces[piece].component + 1);
+        r->pattern->pieces[piece].component = component;
+    }
+    return KTG_OK;
+}
+
+static ktg_status read_components(const reader *r) {
+    ktg_pattern *p = r->pattern;
+    ktg_json list, item;
+    ktg_json_ids ids = {0};
+    KTG_TRY(ktg_json_get(&r->root, "components", KTG_JSON_ARRAY, &list));
+    ktg_status status = ktg_json_ids_read(&list, &ids);
+    ktg_json_ids_free(&ids);
+    KTG_TRY(status);
+    TAKE(&list, p->components, ktg_json_length(&list), ktg_pattern_component);
+    p->component_count = ktg_json_length(&list);
+    for (size_t i = 0; i < p->component_count; i++) {
+        KTG_TRY(ktg_json_item(&list, i, KTG_JSON_OBJECT, &item));
+        KTG_TRY(read_component(&item, r, (uint32_t)i));
+    }
+    for (size_t i = 0; i < p->piece_count; i++)
+        if (p->pieces[i].component == KTG_NONE) {
+            KTG_TRY(ktg_json_item(&r->pieces, i, KTG_JSON_OBJECT, &item));
+            return ktg_json_refuse(&item, "is listed under no component");
+        }
+    return KTG_OK;
+}
+
+/* ---- edges -------------------------------------------------------------------------------- */
+
+static ktg_status read_sides(const ktg_json *object, const reader *r, ktg_pattern_edge *edge) {
+    ktg_json list, item;
+    KTG_TRY(ktg_json_get(object, "sides", KTG_JSON_ARRAY, &list));
+    size_t length = ktg_json_length(&list);
+    if (length < 1 || length > 2)
+        return ktg_json_refuse(&list, "must have 1 or 2 items, but it has %zu", length);
+    edge->side_count = (uint32_t)length;
+    for (size_t s = 0; s < length; s++) {
+        KTG_TRY(ktg_json_item(&list, s, KTG_JSON_OBJECT, &item));
+        KTG_TRY(read_id(&item, "piece", &r->piece_ids, &edge->sides[s].piece));
+        KTG_TRY(ktg_json_count(&item, "face", r->pattern->face_count, &edge->sides[s].face));
+        KTG_TRY(ktg_json_count(&item, "corner", 3, &edge->sides[s].corner));
+    }
+    return KTG_OK;
+}
+
+static ktg_status read_edge(const ktg_json *object, const reader *r, ktg_pattern_edge *edge) {
+    ktg_json at;
+    int word;
+    uint32_t tab = 0;
+    edge->seam = KTG_NONE;
+    KTG_TRY(ktg_json_get(object, "vertices", KTG_JSON_ARRAY, &at));
+    KTG_TRY(ktg_json_indices(&at, 2, r->pattern->vertex_count, edge->vertices));
+    KTG_TRY(ktg_json_word(object, "kind", ktg_json_edge_kinds, &word));
+    edge->kind = (ktg_edge_kind)word;
+    KTG_TRY(ktg_json_number(object, "angle_deg", &edge->angle));
+    edge->angle = ktg_json_radians(edge->angle);
+    KTG_TRY(read_sides(object, r, edge));
+    KTG_TRY(ktg_json_get(object, "tab_on", KTG_JSON_INTEGER_OR_NULL, &at));
+    if (!json_is_null(at.value))
+        KTG_TRY(ktg_json_below(&at, edge->side_count, &tab));
+    edge->tab_on = json_is_null(at.value) ? -1 : (int)tab;
+    return KTG_OK;
+}
+
+static ktg_status read_edges(const reader *r) {
+    ktg_pattern *p = r->pattern;
+    TAKE(&r->root, p->edges, r->edge_ids.count, ktg_pattern_edge);
+    p->edge_count = r->edge_ids.count;
+    for (size_t i = 0; i < p->edge_count; i++) {
+        ktg_json item;
+        KTG_TRY(ktg_json_item(&r->edges, i, KTG_JSON_OBJECT, &item));
+        KTG_TRY(read_edge(&item, r, &p->edges[i]));
+    }
+    return KTG_OK;
+}
+
+/* ---- seams -------------------------------------------------------------------------------- */
+
+/* Which side of edge i of a seam runs along the seam's side 0, where the file does not say: the
+ * one in that piece; between two of the same piece the one whose end (or, for the last edge, whose
+ * start) meets the neighbouring edge of the run. */
+static uint8_t guess_side(const ktg_pattern *p, const ktg_pattern_seam *seam, uint32_t i) {
+    const ktg_pattern_edge *edge = &p->edges[seam->edges[i]];
+    if (edge->side_count < 2)
+        return 0;
+    if (edge->sides[0].piece != edge->sides[1].piece)
+        return edge->sides[0].piece != seam->pieces[0];
+    if (seam->edge_count < 2)
+        return 0;
+    bool last = i + 1 == seam->edge_count;
+    const uint32_t *next = p->edges[seam->edges[last ? i - 1 : i + 1]].vertices;
+    uint32_t meets = edge->vertices[last ? 0 : 1]; /* of side 0, which runs from [0] to [1] */
+    return meets != next[0] && meets != next[1];
+}
+
+static ktg_status read_first_sides(const ktg_json *object, const reader *r,
+                                   ktg_pattern_seam *seam) {
+    ktg_json list, item;
+    TAKE(object, seam->first_side, seam->edge_count, uint8_t);
+    KTG_TRY(ktg_json_get_optional(object, "first_side", KTG_JSON_ARRAY, &list));
+    if (list.value)
+        KTG_TRY(ktg_json_expect_length(&list, seam->edge_count));
+    for (uint32_t i = 0; i < seam->edge_count; i++) {
+        uint32_t side = guess_side(r->pattern, seam, i);
+        if (list.value) {
+            KTG_TRY(ktg_json_item(&list, i, KTG_JSON_INTEGER, &item));
+            KTG_TRY(ktg_json_below(&item, 2, &side));
+        }
+        seam->first_side[i] = (uint8_t)side;
+    }
+    return KTG_OK;
+}
+
+/* The second side lists the same edges, in the same order or backwards. */
+static ktg_status check_second_side(const ktg_json *list, const reader *r,
+                                    const ktg_pattern_seam *seam) {
+    KTG_TRY(ktg_json_expect_length(list, seam->edge_count));
+    bool same = true, backwards = true;
+    for (uint32_t i = 0; i < seam->edge_count; i++) {
+        ktg_json item;
+        uint32_t edge;
+        KTG_TRY(ktg_json_item(list, i, KTG_JSON_INTEGER, &item));
+        KTG_TRY(ktg_json_ids_find(&r->edge_ids, &item, &edge));
+        same = same && edge == seam->edges[i];
+        backwards = backwards && edge == seam->edges[seam->edge_count - 1 - i];
+    }
+    return same || backwards ? KTG_OK
+                             : ktg_json_refuse(list, "must be the edges of the other side");
+}
+
+static ktg_status read_seam_side(const ktg_json *sides, int s, const reader *r,
+                                 ktg_pattern_seam *seam) {
+    ktg_json side, list, item;
+    KTG_TRY(ktg_json_item(sides, (size_t)s, KTG_JSON_OBJECT, &side));
+    KTG_TRY(read_id(&side, "piece", &r->piece_ids, &seam->pieces[s]));
+    KTG_TRY(ktg_json_number(&side, "length_mm", &seam->lengths_mm[s]));
+    KTG_TRY(ktg_json_get(&side, "edges", KTG_JSON_ARRAY, &list));
+    if (s == 1)
+        return check_second_side(&list, r, seam);
+    if (ktg_json_length(&list) == 0)
+        return ktg_json_refuse(&list, "must not be empty");
+    TAKE(&list, seam->edges, ktg_json_length(&list), uint32_t);
+    seam->edge_count = (uint32_t)ktg_json_length(&list);
+    for (uint32_t i = 0; i < seam->edge_count; i++) {
+        KTG_TRY(ktg_json_item(&list, i, KTG_JSON_INTEGER, &item));
+        KTG_TRY(ktg_json_ids_find(&r->edge_ids, &item, &seam->edges[i]));
+    }
+    return KTG_OK;
+}
+
+static ktg_status read_seam(const ktg_json *object, const reader *r, uint32_t index) {
+    ktg_pattern_seam *seam = &r->pattern->seams[index];
+    ktg_json sides, side, list, item;
+    KTG_TRY(ktg_json_get(object, "sides", KTG_JSON_ARRAY, &sides));
+    KTG_TRY(ktg_json_expect_length(&sides, 2));
+    KTG_TRY(read_seam_side(&sides, 0, r, seam));
+    KTG_TRY(read_seam_side(&sides, 1, r, seam));
+    KTG_TRY(read_first_sides(object, r, seam));
+    KTG_TRY(ktg_json_item(&sides, 0, KTG_JSON_OBJECT, &side));
+    KTG_TRY(ktg_json_get(&side, "edges", KTG_JSON_ARRAY, &list));
+    for (uint32_t i = 0; i < seam->edge_count; i++) {
+        ktg_pattern_edge *edge = &r->pattern->edges[seam->edges[i]];
+        KTG_TRY(ktg_json_item(&list, i, KTG_JSON_INTEGER, &item));
+        if (edge->seam != KTG_NONE)
+            return ktg_json_refuse(&item, "names an edge that seams[%u] has already", edge->seam);
+        edge->seam = index;
+    }
+    return KTG_OK;
+}
+
+static ktg_status read_seams(const reader *r) {
+    ktg_pattern *p = r->pattern;
+    ktg_json list, item;
+    ktg_json_ids ids = {0};
+    KTG_TRY(ktg_json_get(&r->root, "seams", KTG_JSON_ARRAY, &list));
+    ktg_status status = ktg_json_ids_read(&list, &ids);
+    ktg_json_ids_free(&ids);
+    KTG_TRY(status);
+    TAKE(&list, p->seams, ktg_json_length(&list), ktg_pattern_seam);
+    p->seam_count = ktg_json_length(&list);
+    for (size_t i = 0; i < p->seam_count; i++) {
+        KTG_TRY(ktg_json_item(&list, i, KTG_JSON_OBJECT, &item));
+        KTG_TRY(read_seam(&item, r, (uint32_t)i));
+    }
+    return KTG_OK;
+}
+
+/* ---- sheets ------------------------------------------------------------------------------- */
+
+static ktg_status read_sheet(const ktg_json *object, const reader *r, ktg_pattern_sheet *sheet) {
+    ktg_json list, item;
+    int word;
+    KTG_TRY(ktg_json_word(object, "kind", ktg_json_sheet_kinds, &word));
+    sheet->kind = (ktg_sheet_kind)word;
+    KTG_TRY(ktg_json_number(object, "width", &sheet->width_mm));
+    KTG_TRY(ktg_json_number(object, "height", &sheet->height_mm));
+    KTG_TRY(ktg_json_get(object, "printable", KTG_JSON_ARRAY, &list));
+    KTG_TRY(ktg_json_numbers(&list, 4, sheet->printable));
+    KTG_TRY(ktg_json_get(object, "placements", KTG_JSON_ARRAY, &list));
+    TAKE(&list, sheet->placements, ktg_json_length(&list), ktg_pattern_placement);
+    sheet->placement_count = ktg_json_length(&list);
+    for (size_t i = 0; i < sheet->placement_count; i++) {
+        ktg_pattern_placement *placement = &sheet->placements[i];
+        KTG_TRY(ktg_json_item(&list, i, KTG_JSON_OBJECT, &item));
+        KTG_TRY(read_id(&item, "piece", &r->piece_ids, &placement->piece));
+        KTG_TRY(ktg_json_number(&item, "x", &placement->x));
+        KTG_TRY(ktg_json_number(&item, "y", &placement->y));
+        KTG_TRY(ktg_json_number(&item, "rotation_deg", &placement->rotation));
+        placement->rotation = ktg_json_radians(placement->rotation);
+    }
+    return KTG_OK;
+}
+
+static ktg_status read_sheets(const reader *r) {
+    ktg_pattern *p = r->pattern;
+    ktg_json list, item;
+    ktg_json_ids ids = {0};
+    KTG_TRY(ktg_json_get(&r->root, "sheets", KTG_JSON_ARRAY, &list));
+    ktg_status status = ktg_json_ids_read(&list, &ids);
+    ktg_json_ids_free(&ids);
+    KTG_TRY(status);
+    TAKE(&list, p->sheets, ktg_json_length(&list), ktg_pattern_sheet);
+    p->sheet_count = ktg_json_length(&list);
+    for (size_t i = 0; i < p->sheet_count; i++) {
+        KTG_TRY(ktg_json_item(&list, i, KTG_JSON_OBJECT, &item));
+        KTG_TRY(read_sheet(&item, r, &p->sheets[i]));
+    }
+    return KTG_OK;
+}
+
+/* ---- the whole file ----------------------------------------------------------------------- */
+
+static ktg_status read_pattern(reader *r) {
+    if (!json_is_object(r->root.value))
+        return ktg_json_refuse(&r->root, "is no Katagami pattern (an object is expected)");
+    KTG_TRY(read_head(&r->root, r->pattern));
+    KTG_TRY(read_mesh(&r->root, r->pattern));
+    KTG_TRY(ktg_json_get(&r->root, "pieces", KTG_JSON_ARRAY, &r->pieces));
+    KTG_TRY(ktg_json_ids_read(&r->pieces, &r->piece_ids));
+    KTG_TRY(ktg_json_get(&r->root, "edges", KTG_JSON_ARRAY, &r->edges));
+    KTG_TRY(ktg_json_ids_read(&r->edges, &r->edge_ids));
+    KTG_TRY(read_pieces(r));
+    KTG_TRY(read_components(r));
+    KTG_TRY(read_edges(r));
+    KTG_TRY(read_seams(r));
+    return read_sheets(r);
+}
+
+/* jansson quotes the file in its messages; what cannot be shown becomes a question mark. */
+static ktg_status parse(ktg_context *context, const char *path, const char *bytes, size_t size,
+                        json_t **root) {
+    json_error_t error;
+    *root = json_loadb(bytes, size, JSON_REJECT_DUPLICATES, &error);
+    if (*root)
+        return KTG_OK;
+    if (json_error_code(&error) == json_error_out_of_memory)
+        return ktg_fail(context, KTG_MEMORY, "%s: out of memory", path);
+    for (char *c = error.text; *c; c++)
+        if (*c < ' ' || *c > '~')
+            *c = '?';
+    return ktg_fail(context, KTG_FORMAT, "%s:%d: is no JSON: %s", path, error.line, error.text);
+}
+
+ktg_status ktg_pattern_read_json(ktg_context *context, const char *path, ktg_pattern **pattern) {
+    char *bytes = NULL;
+    size_t size = 0;
+    json_t *root = NULL;
+    reader r = {0};
+    *pattern = NULL;
+    ktg_status status = ktg_file_read(context, path, MOST_BYTES, &bytes, &size);
+    if (status == KTG_OK)
+        status = parse(context, path, bytes, size, &root);
+    ktg_free(bytes);
+    if (status == KTG_OK) {
+        r.root = (ktg_json){.context = context, .path = path, .value = root};
+        r.pattern = ktg_new(context, 1, ktg_pattern);
+        status = r.pattern ? read_pattern(&r) : KTG_MEMORY;
+    }
+    ktg_json_ids_free(&r.piece_ids);
+    ktg_json_ids_free(&r.edge_ids);
+    json_decref(root);
+    if (status == KTG_OK)
+        *pattern = r.pattern;
+    else
+        ktg_pattern_free(&r.pattern);
+    return status;
+}
