@@ -22,6 +22,8 @@ typedef struct ktg_unfold_options {
     uint32_t patience;     /* stop after so many generations without gain; 30 */
     double crossover_rate; /* 0..1; 0.8 */
     double mutation_rate;  /* 0..1; 0.1 */
+    uint32_t restarts;     /* fresh starts from other strips while a component is in several pieces;
+                              20 (0: the paper) */
     double seconds;        /* an upper bound on the search's time; 0: none */
 } ktg_unfold_options;
 
@@ -36,7 +38,8 @@ typedef enum ktg_stopped_by {
 
 typedef struct ktg_unfold_report {
     uint32_t pieces, components;
-    uint32_t strips;      /* initial patches of all components */
+    uint32_t strips;      /* initial patches of all components, in the first run */
+    uint32_t restarts;    /* of all components together */
     uint32_t generations; /* of all components together */
     uint64_t evaluations; /* chromosomes decoded */
     ktg_stopped_by stopped_by;

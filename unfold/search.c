@@ -1,0 +1,28 @@
+/* unfold/search.c - limits of a search. */
+#include "unfold/search.h"
+
+#include <time.h>
+
+double ktg_search_clock(void) {
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+bool ktg_search_goes_on(ktg_context *context, ktg_search *search) {
+    ktg_stopped_by *why = &search->report.stopped_by;
+    if (*why == KTG_STOPPED_TIME || *why == KTG_STOPPED_INTERRUPT)
+        return false;
+    if (ktg_check_cancel(context) != KTG_OK)
+        *why = KTG_STOPPED_INTERRUPT;
+    else if (search->deadline > 0 && ktg_search_clock() > search->deadline)
+        *why = KTG_STOPPED_TIME;
+    else
+        return true;
+    return false;
+}
+
+const char *ktg_stopped_by_name(ktg_stopped_by stopped_by) {
+    static const char *const names[] = {"done", "work", "time", "interrupt"};
+    return names[stopped_by];
+}

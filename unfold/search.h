@@ -1,0 +1,23 @@
+/* unfold/search.h - what one run of the search shares over all components: limits and counters
+ * (unfold only). */
+#ifndef KTG_UNFOLD_SEARCH_H
+#define KTG_UNFOLD_SEARCH_H
+
+#include "core/random.h"
+#include "unfold/unfold.h"
+
+typedef struct ktg_search {
+    ktg_random random;
+    double deadline;                /* monotonic seconds; 0: none */
+    uint32_t faces_done, faces_all; /* for progress: of finished components, of all */
+    ktg_unfold_report report;
+} ktg_search;
+
+/* Monotonic seconds. */
+double ktg_search_clock(void);
+
+/* False, with the reason in search->report.stopped_by, when time is up or the caller wants to stop.
+ */
+bool ktg_search_goes_on(ktg_context *context, ktg_search *search);
+
+#endif

@@ -1,0 +1,277 @@
+/* unfold/unfold.c - the whole unfolding: component by component, then the pattern around the
+ * pieces. */
+#include "unfold/unfold.h"
+#include "core/memory.h"
+#include "core/vec.h"
+#include "unfold/edges.h"
+#include "unfold/genetic.h"
+#include "unfold/pieces.h"
+#include "unfold/strips.h"
+
+#include <string.h>
+
+void ktg_unfold_defaults(ktg_unfold_options *options) {
+    *options = (ktg_unfold_options){.population = 32,
+                                    .generations = 2000,
+                                    .patience = 30,
+                                    .crossover_rate = 0.8,
+                                    .mutation_rate = 0.1,
+                                    .restarts = 20};
+}
+
+static ktg_status check_options(ktg_context *context, const ktg_unfold_options *o) {
+    if (o->population < 4 || o->population > 100000)
+        return ktg_fail(context, KTG_ARGUMENT, "a population of %u: from 4 to 100000 are possible",
+                        o->population);
+    if (!(o->crossover_rate >= 0 && o->crossover_rate <= 1))
+        return ktg_fail(context, KTG_ARGUMENT, "a crossover rate of %g: from 0 to 1 is possible",
+                        o->crossover_rate);
+    if (!(o->mutation_rate >= 0 && o->mutation_rate <= 1))
+        return ktg_fail(context, KTG_ARGUMENT, "a mutation rate of %g: from 0 to 1 is possible",
+                        o->mutation_rate);
+    return KTG_OK;
+}
+
+static ktg_status check_mesh(ktg_context *context, const ktg_mesh *mesh, const ktg_adjacency *a) {
+    if (mesh->face_count == 0)
+        return ktg_fail(context, KTG_GEOMETRY, "there are no faces to unfold");
+    for (uint32_t e = 0; e < a->edge_count; e++) {
+        uint32_t h = a->edge_halfedges[a->edge_first[e]];
+        uint32_t count = a->edge_first[e + 1] - a->edge_first[e];
+        if (count > 2 || (count == 2 && a->twin[h] == KTG_NONE))
+            return ktg_fail(context, KTG_ARGUMENT,
+                            "face %u has an edge that is not manifold; repair the mesh first",
+                            h / 3);
+    }
+    return KTG_OK;
+}
+
+/* The power of two that brings the largest extent of the mesh into [1, 2). */
+static ktg_status normalising_scale(ktg_context *context, const ktg_mesh *mesh, double *scale) {
+    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    for (size_t c = 0; c < 3 * (size_t)mesh->face_count; c++) {
+        ktg_vec3 p = mesh->positions[mesh->faces[c]];
+        const double at[3] = {p.x, p.y, p.z};
+        for (int k = 0; k < 3; k++) {
+            low[k] = fmin(low[k], at[k]);
+            high[k] = fmax(high[k], at[k]);
+        }
+    }
+    double extent = fmax(high[0] - low[0], fmax(high[1] - low[1], high[2] - low[2]));
+    if (!(extent > 1e-280) || !(extent < 1e280))
+        return ktg_fail(context, KTG_GEOMETRY,
+                        "the model is %g units large; nothing can be cut out of that", extent);
+    *scale = ldexp(1, -ilogb(extent));
+    return KTG_OK;
+}
+
+/* How much the weights of the spanning tree, which lie between 0 and 1, are shaken for a fresh
+ * start. */
+#define RESTART_JITTER 0.5
+
+/* Section 4: spanning tree and strips. Strips are joined face by face, so that one that would lie
+ * over itself falls apart where it does. */
+static ktg_status make_strips(ktg_context *context, const ktg_dual *dual, double jitter,
+                              ktg_random *random, bool *joined, ktg_patches **strips) {
+    bool *wanted = ktg_new(context, dual->edge_count, bool);
+    ktg_status status =
+        wanted ? ktg_dual_spanning_tree(context, dual, jitter, random, wanted) : KTG_MEMORY;
+    if (status == KTG_OK)
+        status = ktg_strips_cut(context, dual, wanted);
+    if (status == KTG_OK)
+        status = ktg_patches_new(context, dual, strips);
+    for (int rigid = 1; rigid >= 0; rigid--) {
+        for (uint32_t e = 0; status == KTG_OK && e < dual->edge_count; e++) {
+            ktg_join result = KTG_OVERLAPS;
+            if (wanted[e] && dual->edges[e].rigid == rigid)
+                status = ktg_patches_join(context, *strips, e, &result);
+            joined[e] = joined[e] || result == KTG_JOINED;
+        }
+    }
+    ktg_free(wanted);
+    return status;
+}
+
+/* One run of sections 4 and 5; joined: edge_count flags, set. */
+static ktg_status join_once(ktg_context *context, const ktg_dual *dual,
+                            const ktg_unfold_options *options, uint32_t run, ktg_search *search,
+                            bool *joined, uint32_t *pieces) {
+    ktg_patches *strips = NULL;
+    memset(joined, 0, dual->edge_count * sizeof *joined);
+    ktg_status status =
+        make_strips(context, dual, run > 0 ? RESTART_JITTER : 0, &search->random, joined, &strips);
+    if (status == KTG_OK && run == 0)
+        search->report.strips += strips->patch_count;
+    if (status == KTG_OK)
+        status = ktg_genetic_merge(context, strips, options, search, joined, pieces);
+    ktg_patches_free(&strips);
+    return status;
+}
+
+/* The paper's run and, while it takes more than one piece, fresh starts from other strips; the
+ * fewest pieces win. */
+static ktg_status join_faces(ktg_context *context, const ktg_dual *dual,
+                             const ktg_unfold_options *options, ktg_search *search, bool *joined) {
+    bool *trial = ktg_new(context, dual->edge_count, bool);
+    uint32_t least = 0, pieces = 0;
+    ktg_status status =
+        trial ? join_once(context, dual, options, 0, search, joined, &least) : KTG_MEMORY;
+    for (uint32_t run = 1; status == KTG_OK && least > 1 && run <= options->restarts; run++) {
+        if (!ktg_search_goes_on(context, search))
+            break;
+        status = join_once(context, dual, options, run, search, trial, &pieces);
+        search->report.restarts++;
+        if (status != KTG_OK || pieces >= least)
+            continue;
+        least = pieces;
+        memcpy(joined, trial, dual->edge_count * sizeof *joined);
+    }
+    ktg_free(trial);
+    return status;
+}
+
+static void mark_folds(const ktg_dual *dual, const ktg_adjacency *adjacency, const bool *joined,
+                       bool *is_fold) {
+    for (uint32_t e = 0; e < dual->edge_count; e++) {
+        uint32_t h = dual->edges[e].halfedge[0];
+        is_fold[adjacency->halfedge_edge[3 * dual->mesh_face[h / 3] + h % 3]] = joined[e];
+    }
+}
+
+typedef struct work {
+    const ktg_mesh *mesh;
+    const ktg_adjacency *adjacency;
+    const ktg_unfold_options *options;
+    double scale;
+    ktg_search search;
+    uint32_t *face_component;
+    uint32_t component_count;
+    uint32_t *by_component; /* face_count: faces, component by component */
+    uint32_t *first;        /* component_count + 1 */
+    bool *is_fold;          /* per edge of the adjacency */
+    size_t pieces_capacity;
+} work;
+
+static ktg_status unfold_component(ktg_context *context, work *w, uint32_t component,
+                                   ktg_pattern *pattern) {
+    uint32_t begin = w->first[component], count = w->first[component + 1] - begin;
+    ktg_dual *dual = NULL;
+    KTG_TRY(ktg_dual_new(context, w->mesh, w->adjacency, w->by_component + begin, count, w->scale,
+                         &dual));
+    bool *joined = ktg_new(context, dual->edge_count, bool);
+    ktg_random_seed(&w->search.random, ktg_context_seed(context) + component);
+    ktg_status status =
+        joined ? join_faces(context, dual, w->options, &w->search, joined) : KTG_MEMORY;
+    if (status == KTG_OK)
+        status = ktg_pieces_append(context, dual, w->scale, joined, component, pattern,
+                                   &w->pieces_capacity);
+    if (status == KTG_OK)
+        mark_folds(dual, w->adjacency, joined, w->is_fold);
+    w->search.faces_done += count;
+    ktg_free(joined);
+    ktg_dual_free(&dual);
+    return status;
+}
+
+/* Sorts the faces by component, keeping their order within one. */
+static ktg_status group_faces(ktg_context *context, work *w) {
+    w->first = ktg_new(context, (size_t)w->component_count + 2, uint32_t);
+    w->by_component = ktg_new(context, w->mesh->face_count, uint32_t);
+    w->is_fold = ktg_new(context, w->adjacency->edge_count, bool);
+    if (!w->first || !w->by_component || !w->is_fold)
+        return KTG_MEMORY;
+    uint32_t *next = w->first + 1;
+    for (uint32_t f = 0; f < w->mesh->face_count; f++)
+        if (w->face_component[f] + 1 < w->component_count)
+            next[w->face_component[f] + 1]++;
+    for (uint32_t c = 1; c < w->component_count; c++)
+        next[c] += next[c - 1];
+    for (uint32_t f = 0; f < w->mesh->face_count; f++)
+        w->by_component[next[w->face_component[f]]++] = f;
+    return KTG_OK;
+}
+
+/* The surface and the components' names. */
+static ktg_status start_pattern(ktg_context *context, const work *w, const char *name,
+                                ktg_pattern *pattern) {
+    const ktg_mesh *mesh = w->mesh;
+    pattern->mode = KTG_PAPER;
+    pattern->model_faces = mesh->face_count;
+    pattern->vertex_count = mesh->vertex_count;
+    pattern->face_count = mesh->face_count;
+    pattern->vertices =
+        ktg_copy_array(context, mesh->positions, mesh->vertex_count, sizeof *mesh->positions);
+    pattern->faces =
+        ktg_copy_array(context, mesh->faces, 3 * (size_t)mesh->face_count, sizeof *mesh->faces);
+    pattern->components = ktg_new(context, w->component_count, ktg_pattern_component);
+    if (!pattern->vertices || !pattern->faces || !pattern->components)
+        return KTG_MEMORY;
+    ktg_names names;
+    KTG_TRY(ktg_mesh_component_names(context, mesh, w->face_component, w->component_count, name,
+                                     &names));
+    pattern->component_count = w->component_count;
+    for (uint32_t c = 0; c < w->component_count; c++) {
+        pattern->components[c].name = names.text[c]; /* handed over */
+        names.text[c] = NULL;
+    }
+    ktg_names_free(&names);
+    return KTG_OK;
+}
+
+static ktg_status name_pieces(ktg_context *context, ktg_pattern *pattern) {
+    for (size_t i = 0; i < pattern->piece_count; i++) {
+        const char *name = pattern->components[pattern->pieces[i].component].name;
+        pattern->pieces[i].name = ktg_copy_text(context, name, SIZE_MAX);
+        if (!pattern->pieces[i].name)
+            return KTG_MEMORY;
+    }
+    return KTG_OK;
+}
+
+static ktg_status fill_pattern(ktg_context *context, work *w, const char *name,
+                               ktg_pattern *pattern) {
+    KTG_TRY(ktg_mesh_components(context, w->mesh, w->adjacency, &w->face_component,
+                                &w->component_count));
+    KTG_TRY(group_faces(context, w));
+    KTG_TRY(start_pattern(context, w, name, pattern));
+    for (uint32_t c = 0; c < w->component_count; c++)
+        KTG_TRY(unfold_component(context, w, c, pattern));
+    KTG_TRY(name_pieces(context, pattern));
+    return ktg_edges_fill(context, w->adjacency, w->is_fold, pattern);
+}
+
+ktg_status ktg_unfold(ktg_context *context, const ktg_mesh *mesh, const char *name,
+                      const ktg_unfold_options *options, ktg_pattern **pattern,
+                      ktg_unfold_report *report) {
+    ktg_unfold_options defaults;
+    ktg_unfold_defaults(&defaults);
+    work w = {.mesh = mesh, .options = options ? options : &defaults};
+    ktg_adjacency *adjacency = NULL;
+    *pattern = NULL;
+    KTG_TRY(check_options(context, w.options));
+    KTG_TRY(ktg_adjacency_new(context, mesh, &adjacency));
+    w.adjacency = adjacency;
+    w.search.faces_all = mesh->face_count;
+    w.search.deadline = w.options->seconds > 0 ? ktg_search_clock() + w.options->seconds : 0;
+    ktg_status status = check_mesh(context, mesh, adjacency);
+    if (status == KTG_OK)
+        status = normalising_scale(context, mesh, &w.scale);
+    if (status == KTG_OK && !(*pattern = ktg_new(context, 1, ktg_pattern)))
+        status = KTG_MEMORY;
+    if (status == KTG_OK)
+        status = fill_pattern(context, &w, name, *pattern);
+    if (status == KTG_OK) {
+        w.search.report.pieces = (uint32_t)(*pattern)->piece_count;
+        w.search.report.components = w.component_count;
+        if (report)
+            *report = w.search.report;
+    } else {
+        ktg_pattern_free(pattern);
+    }
+    ktg_free(w.face_component);
+    ktg_free(w.by_component);
+    ktg_free(w.first);
+    ktg_free(w.is_fold);
+    ktg_adjacency_free(&adjacency);
+    return status;
+}
