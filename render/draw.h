@@ -1,0 +1,199 @@
+/* render/draw.h - what the files of render share (render only).
+ *
+ * Drawing is done in millimetres from the paper's upper left corner, y down; each surface scales
+ * that to its own unit. A sheet has y up, so points are turned over here, once, and text never is.
+ */
+#ifndef KTG_RENDER_DRAW_H
+#define KTG_RENDER_DRAW_H
+
+#include "core/vec.h"
+#include "render/render.h"
+
+#include <cairo.h>
+
+/* Printers leave this much of the paper white. */
+#define KTG_PAPER_EDGE_MM 6.35
+/* The strip beside the printable area that holds title, legend and rulers. */
+#define KTG_STRIP_MM 3.65
+
+#define KTG_CUT_MM  0.25
+#define KTG_FOLD_MM 0.15
+
+/* The kinds of strokes and areas a reader must be able to tell apart; bits of ktg_drawing.kinds. */
+typedef enum ktg_stroke {
+    KTG_STROKE_CUT,
+    KTG_STROKE_MOUNTAIN,
+    KTG_STROKE_VALLEY,
+    KTG_STROKE_TAB,
+    KTG_STROKE_SEW,
+    KTG_STROKE_GRAIN,
+    KTG_STROKE_PLACE_FOLD, /* cloth laid double */
+    KTG_STROKE_DART,
+    KTG_STROKE_NOTCH,
+    KTG_STROKE_INTERNAL,
+    KTG_STROKE_COUNT
+} ktg_stroke;
+
+typedef struct ktg_fold_segment {
+    ktg_vec2 from, to; /* in the piece */
+    ktg_stroke stroke; /* KTG_STROKE_MOUNTAIN or KTG_STROKE_VALLEY */
+} ktg_fold_segment;
+
+#define KTG_TITLE_SIZE 512
+
+/* What is the same on all sheets, found once. */
+typedef struct ktg_drawing {
+    ktg_context *context;
+    const ktg_pattern *pattern;
+    ktg_render_options options;
+    char title[KTG_TITLE_SIZE]; /* valid UTF-8 without control characters */
+    size_t *first_fold;         /* piece_count + 1: where a piece's folds begin */
+    ktg_fold_segment *folds;
+    unsigned kinds; /* which strokes occur, as bits */
+} ktg_drawing;
+
+/* ---- options.c, folds.c ------------------------------------------------------------------- */
+
+/* Checks that `pattern` can be drawn (finished, laid out, indices in range) and collects what all
+ * sheets share. Free with ktg_drawing_free. */
+KTG_NODISCARD ktg_status ktg_drawing_new(ktg_context *context, const ktg_pattern *pattern,
+                                         const ktg_render_options *options, ktg_drawing **drawing);
+/* KTG_ARGUMENT when there is no sheet of that number (from 0). */
+KTG_NODISCARD ktg_status ktg_drawing_check_sheet(const ktg_drawing *drawing, size_t sheet);
+void ktg_drawing_free(ktg_drawing **drawing);
+
+/* Fills first_fold and folds: the folds between faces, and those at the feet of tabs. */
+KTG_NODISCARD ktg_status ktg_drawing_find_folds(ktg_drawing *drawing);
+
+/* ---- page.c ------------------------------------------------------------------------------- */
+
+/* A rectangle of the page. */
+typedef struct ktg_area {
+    double x0, y0, x1, y1; /* x0 <= x1, y0 <= y1 */
+} ktg_area;
+
+/* One sheet being drawn. */
+typedef struct ktg_page {
+    const ktg_drawing *drawing;
+    const ktg_pattern_sheet *sheet;
+    size_t number; /* from 0 */
+    cairo_t *cairo;
+} ktg_page;
+
+/* The motion from a placed piece to its sheet (y up), and from there to the page. */
+ktg_motion2 ktg_page_motion(const ktg_pattern_placement *placement);
+ktg_vec2 ktg_page_point(const ktg_page *page, ktg_motion2 motion, ktg_vec2 point);
+
+/* Sets up a fresh cairo context: text of the same shape at every resolution. */
+void ktg_page_begin(cairo_t *cairo);
+
+/* The printable area on the page. */
+ktg_area ktg_page_printable(const ktg_page *page);
+
+/* Draws a sheet with its furniture. *furnished is false when there was no room for the furniture.
+ */
+KTG_NODISCARD ktg_status ktg_page_draw(const ktg_drawing *drawing, size_t sheet, cairo_t *cairo,
+                                       bool *furnished);
+
+/* ---- lines.c, labels.c
+ * --------------------------------------------------------------------------- */
+
+/* A straight stroke of the given kind on the page, its dashes fitted to its length. */
+void ktg_draw_stroke(const ktg_drawing *drawing, cairo_t *cairo, ktg_stroke stroke, ktg_vec2 from,
+                     ktg_vec2 to);
+/* Sets colour and width of a kind, no dashes. */
+void ktg_draw_set_stroke(const ktg_drawing *drawing, cairo_t *cairo, ktg_stroke stroke);
+/* What a pattern's line is drawn as. */
+ktg_stroke ktg_stroke_of_line(ktg_line_kind kind);
+/* A filled arrow head at `tip` of a line that comes from `from`, `length` mm long. */
+void ktg_draw_arrow_head(cairo_t *cairo, ktg_vec2 tip, ktg_vec2 from, double length);
+/* The tint of glue tabs. */
+void ktg_draw_set_tint(cairo_t *cairo);
+
+/* The layers of a placed piece, from the lowest to the highest. */
+void ktg_draw_tabs(const ktg_page *page, const ktg_pattern_placement *placement);
+void ktg_draw_folds(const ktg_page *page, const ktg_pattern_placement *placement);
+void ktg_draw_lines(const ktg_page *page, const ktg_pattern_placement *placement);
+void ktg_draw_outline(const ktg_page *page, const ktg_pattern_placement *placement);
+void ktg_draw_labels(const ktg_page *page, const ktg_pattern_placement *placement);
+
+/* ---- text.c ------------------------------------------------------------------------------- */
+
+typedef enum ktg_face { KTG_FACE_PLAIN, KTG_FACE_BOLD } ktg_face;
+
+/* Copies what is valid UTF-8 of `text` (up to `length` bytes or its end) into `clean` (`size`
+ * bytes): what is not becomes U+FFFD, control characters become spaces, and what has no room is
+ * left out, whole characters at a time. */
+void ktg_text_clean(const char *text, size_t length, char *clean, size_t size);
+
+/* Chooses face and size; `digit_mm` is the height of a digit. */
+void ktg_text_set(cairo_t *cairo, ktg_face face, double digit_mm);
+/* The width of `text` in the chosen face, in mm. */
+double ktg_text_width(cairo_t *cairo, const char *text);
+/* `text` starting at (x, baseline). */
+void ktg_text_draw(cairo_t *cairo, double x, double baseline, const char *text);
+/* `text` shortened with an ellipsis until it is at most `width` wide; "" when not even that fits.
+ * `text` is clean and is changed in place; `size` is what its array holds. */
+void ktg_text_shorten(cairo_t *cairo, double width, char *text, size_t size);
+
+/* ---- furniture.c, block.c, legend.c, ruler.c, guide.c ------------------------------------- */
+
+/* Draws title, legend and rulers around or between the pieces; false when there was no room for
+ * them. */
+bool ktg_furniture_draw(const ktg_page *page);
+
+#define KTG_DETAIL_COUNT 4
+#define KTG_DETAIL_SIZE  96
+
+/* What is told beside the title, each a few words: "sheet 1 of 2", "12.5 mm per unit", ...; for the
+ * whole pattern when `sheet` is SIZE_MAX. Returns how many there are. */
+size_t ktg_furniture_details(const ktg_drawing *drawing, size_t sheet,
+                             char details[KTG_DETAIL_COUNT][KTG_DETAIL_SIZE]);
+
+/* The same furniture as one block, in a corner no piece reaches into; false when there is none. */
+bool ktg_block_draw(const ktg_page *page);
+
+/* True when no piece comes within `clearance` mm of the area. */
+bool ktg_page_is_free(const ktg_page *page, ktg_area area, double clearance);
+
+/* The word of a stroke for the legend; `brief` leaves out what goes without saying. */
+const char *ktg_legend_word(ktg_stroke stroke, bool brief);
+/* A sample of a stroke from (x, y), `width` long. */
+void ktg_legend_sample(const ktg_drawing *drawing, cairo_t *cairo, ktg_stroke stroke, double x,
+                       double y, double width);
+/* The width of the legend of all strokes that occur, in one line. */
+double ktg_legend_width(const ktg_drawing *drawing, cairo_t *cairo, bool brief);
+/* Draws it from x on, the samples at height y, wrapped after `width`; returns the number of lines,
+ * KTG_LEGEND_LINE_MM apart. With `dry` nothing is drawn. */
+size_t ktg_legend_draw(const ktg_drawing *drawing, cairo_t *cairo, double x, double y, double width,
+                       bool brief, bool dry);
+#define KTG_LEGEND_LINE_MM 3.6
+
+/* A ruler from (x, y) to the right: millimetres above the line, inches below, no more than
+ * KTG_STRIP_MM / 2 each; 100 mm and 4 in when `whole`, else 50 mm and 2 in. With `upright` it runs
+ * up the page. */
+void ktg_ruler_draw(cairo_t *cairo, double x, double y, bool whole, bool upright);
+/* How much room it takes along its line. */
+double ktg_ruler_length(bool whole);
+
+/* A page of its own that tells how to read the pattern. */
+void ktg_guide_draw(const ktg_drawing *drawing, cairo_t *cairo, double width_mm, double height_mm);
+
+/* ---- surface.c ---------------------------------------------------------------------------- */
+
+/* Carries what cairo writes into an output, and the first failure out of it. */
+typedef struct ktg_sink {
+    ktg_context *context;
+    ktg_output *output;
+    ktg_status status;
+} ktg_sink;
+
+/* The write function for cairo's streams; `closure` is a ktg_sink. */
+cairo_status_t ktg_sink_write(void *closure, const unsigned char *bytes, unsigned int size);
+
+/* What cairo says as a status of ours with a message about `what` ("the PDF"). A failure of the
+ * sink is the reason for all that came after it. */
+KTG_NODISCARD ktg_status ktg_cairo_status(ktg_context *context, const ktg_sink *sink,
+                                          cairo_status_t status, const char *what);
+
+#endif

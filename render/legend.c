@@ -1,0 +1,97 @@
+/* render/legend.c - what the kinds of lines mean: a short sample and a word of each. */
+#include "render/draw.h"
+
+#define SAMPLE_MM       6.0
+#define WORD_GAP_MM     1.2
+#define ENTRY_GAP_MM    3.0
+#define LEGEND_DIGIT_MM 1.7
+
+const char *ktg_legend_word(ktg_stroke stroke, bool brief) {
+    static const char *const words[KTG_STROKE_COUNT][2] = {
+        [KTG_STROKE_CUT] = {"cut", "cut"},
+        [KTG_STROKE_MOUNTAIN] = {"mountain fold", "mountain"},
+        [KTG_STROKE_VALLEY] = {"valley fold", "valley"},
+        [KTG_STROKE_TAB] = {"glue tab", "tab"},
+        [KTG_STROKE_SEW] = {"seam", "seam"},
+        [KTG_STROKE_GRAIN] = {"grain", "grain"},
+        [KTG_STROKE_PLACE_FOLD] = {"place on fold", "on fold"},
+        [KTG_STROKE_DART] = {"dart", "dart"},
+        [KTG_STROKE_NOTCH] = {"notch", "notch"},
+        [KTG_STROKE_INTERNAL] = {"inner line", "inner"},
+    };
+    return words[stroke][brief];
+}
+
+static void tab_sample(const ktg_drawing *drawing, cairo_t *cairo, double x, double y,
+                       double width) {
+    double half = 1.1, flank = 1.6;
+    cairo_move_to(cairo, x, y + half);
+    cairo_line_to(cairo, x + flank, y - half);
+    cairo_line_to(cairo, x + width - flank, y - half);
+    cairo_line_to(cairo, x + width, y + half);
+    ktg_draw_set_tint(cairo);
+    cairo_fill_preserve(cairo);
+    ktg_draw_set_stroke(drawing, cairo, KTG_STROKE_CUT);
+    cairo_stroke(cairo);
+}
+
+void ktg_legend_sample(const ktg_drawing *drawing, cairo_t *cairo, ktg_stroke stroke, double x,
+                       double y, double width) {
+    ktg_vec2 from = {x, y}, to = {x + width, y};
+    if (stroke == KTG_STROKE_TAB) {
+        tab_sample(drawing, cairo, x, y, width);
+        return;
+    }
+    if (stroke == KTG_STROKE_NOTCH) {
+        from = (ktg_vec2){x + width / 2, y - 1.1};
+        to = (ktg_vec2){x + width / 2, y + 1.1};
+    }
+    ktg_draw_stroke(drawing, cairo, stroke, from, to);
+    if (stroke == KTG_STROKE_GRAIN) {
+        ktg_draw_arrow_head(cairo, from, to, 1.8);
+        ktg_draw_arrow_head(cairo, to, from, 1.8);
+    }
+}
+
+static void set_words(cairo_t *cairo) {
+    ktg_text_set(cairo, KTG_FACE_PLAIN, LEGEND_DIGIT_MM);
+}
+
+static double entry_width(cairo_t *cairo, ktg_stroke stroke, bool brief) {
+    return SAMPLE_MM + WORD_GAP_MM + ktg_text_width(cairo, ktg_legend_word(stroke, brief));
+}
+
+double ktg_legend_width(const ktg_drawing *drawing, cairo_t *cairo, bool brief) {
+    double width = -ENTRY_GAP_MM;
+    set_words(cairo);
+    for (int k = 0; k < KTG_STROKE_COUNT; k++)
+        if (drawing->kinds & 1u << k)
+            width += entry_width(cairo, (ktg_stroke)k, brief) + ENTRY_GAP_MM;
+    return width;
+}
+
+size_t ktg_legend_draw(const ktg_drawing *drawing, cairo_t *cairo, double x, double y, double width,
+                       bool brief, bool dry) {
+    size_t lines = 1;
+    double at = 0;
+    set_words(cairo);
+    for (int k = 0; k < KTG_STROKE_COUNT; k++) {
+        if (!(drawing->kinds & 1u << k))
+            continue;
+        ktg_stroke stroke = (ktg_stroke)k;
+        double entry = entry_width(cairo, stroke, brief);
+        if (at > 0 && at + entry > width + 1e-6) {
+            at = 0;
+            lines++;
+        }
+        double line = y + (double)(lines - 1) * KTG_LEGEND_LINE_MM;
+        if (!dry) {
+            ktg_legend_sample(drawing, cairo, stroke, x + at, line, SAMPLE_MM);
+            cairo_set_source_rgb(cairo, 0.25, 0.25, 0.25);
+            ktg_text_draw(cairo, x + at + SAMPLE_MM + WORD_GAP_MM, line + LEGEND_DIGIT_MM / 2,
+                          ktg_legend_word(stroke, brief));
+        }
+        at += entry + ENTRY_GAP_MM;
+    }
+    return lines;
+}

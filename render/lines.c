@@ -1,0 +1,175 @@
+/* render/lines.c - what a placed piece is drawn with: tabs, folds, lines, outline, labels. */
+#include "render/draw.h"
+
+/* A dash, a gap, and a dot between two gaps where `dot` is not 0; mm, before fitting. */
+typedef struct dashes {
+    double dash, gap, dot;
+} dashes;
+
+typedef struct look {
+    double width_mm;
+    dashes dashes; /* dash 0: solid */
+    double grey;
+} look;
+
+static const look looks[KTG_STROKE_COUNT] = {
+    [KTG_STROKE_CUT] = {KTG_CUT_MM, {0, 0, 0}, 0},
+    [KTG_STROKE_MOUNTAIN] = {KTG_FOLD_MM, {2.2, 1.1, 0}, 0},
+    [KTG_STROKE_VALLEY] = {KTG_FOLD_MM, {4.2, 0.9, 0.5}, 0},
+    [KTG_STROKE_TAB] = {KTG_CUT_MM, {0, 0, 0}, 0},
+    [KTG_STROKE_SEW] = {0.2, {3, 1.5, 0}, 0},
+    [KTG_STROKE_GRAIN] = {0.2, {0, 0, 0}, 0.25},
+    [KTG_STROKE_PLACE_FOLD] = {0.25, {8, 1.5, 1}, 0},
+    [KTG_STROKE_DART] = {0.2, {1.6, 1.2, 0}, 0},
+    [KTG_STROKE_NOTCH] = {KTG_CUT_MM, {0, 0, 0}, 0},
+    [KTG_STROKE_INTERNAL] = {0.15, {0, 0, 0}, 0.45},
+};
+
+static dashes dashes_of(const ktg_drawing *drawing, ktg_stroke stroke) {
+    if (drawing->options.folds == KTG_FOLDS_SOLID) {
+        if (stroke == KTG_STROKE_MOUNTAIN)
+            return (dashes){0, 0, 0};
+        if (stroke == KTG_STROKE_VALLEY)
+            return looks[KTG_STROKE_MOUNTAIN].dashes;
+    }
+    return looks[stroke].dashes;
+}
+
+/* Stretches the dashes so that a line of `length` begins and ends with a dash and has two at least.
+ */
+static void set_dashes(cairo_t *cairo, dashes wished, double length) {
+    if (!(wished.dash > 0) || !(length > 0)) {
+        cairo_set_dash(cairo, NULL, 0, 0);
+        return;
+    }
+    double between = wished.dot > 0 ? 2 * wished.gap + wished.dot : wished.gap;
+    double count = fmax(2, round((length + between) / (wished.dash + between)));
+    double stretch = length / (count * wished.dash + (count - 1) * between);
+    double lengths[] = {stretch * wished.dash, stretch * wished.gap, stretch * wished.dot,
+                        stretch * wished.gap};
+    cairo_set_dash(cairo, lengths, wished.dot > 0 ? 4 : 2, 0);
+}
+
+void ktg_draw_set_stroke(const ktg_drawing *drawing, cairo_t *cairo, ktg_stroke stroke) {
+    double grey = looks[stroke].grey;
+    if (drawing->options.colour && stroke == KTG_STROKE_MOUNTAIN)
+        cairo_set_source_rgb(cairo, 0xb3 / 255.0, 0x26 / 255.0, 0x1e / 255.0);
+    else if (drawing->options.colour && stroke == KTG_STROKE_VALLEY)
+        cairo_set_source_rgb(cairo, 0x1f / 255.0, 0x5f / 255.0, 0xbf / 255.0);
+    else
+        cairo_set_source_rgb(cairo, grey, grey, grey);
+    cairo_set_line_width(cairo, looks[stroke].width_mm);
+    cairo_set_line_cap(cairo, CAIRO_LINE_CAP_BUTT);
+    cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+    cairo_set_dash(cairo, NULL, 0, 0);
+}
+
+void ktg_draw_set_tint(cairo_t *cairo) {
+    cairo_set_source_rgb(cairo, 0.925, 0.925, 0.925);
+}
+
+void ktg_draw_stroke(const ktg_drawing *drawing, cairo_t *cairo, ktg_stroke stroke, ktg_vec2 from,
+                     ktg_vec2 to) {
+    ktg_draw_set_stroke(drawing, cairo, stroke);
+    set_dashes(cairo, dashes_of(drawing, stroke), ktg_length2(ktg_sub2(to, from)));
+    cairo_move_to(cairo, from.x, from.y);
+    cairo_line_to(cairo, to.x, to.y);
+    cairo_stroke(cairo);
+}
+
+static void polygon(const ktg_page *page, ktg_motion2 motion, const ktg_vec2 *points, size_t count,
+                    bool closed) {
+    for (size_t i = 0; i < count; i++) {
+        ktg_vec2 p = ktg_page_point(page, motion, points[i]);
+        if (i == 0)
+            cairo_move_to(page->cairo, p.x, p.y);
+        else
+            cairo_line_to(page->cairo, p.x, p.y);
+    }
+    if (closed)
+        cairo_close_path(page->cairo);
+}
+
+void ktg_draw_tabs(const ktg_page *page, const ktg_pattern_placement *placement) {
+    const ktg_pattern_piece *piece = &page->drawing->pattern->pieces[placement->piece];
+    ktg_motion2 motion = ktg_page_motion(placement);
+    ktg_draw_set_tint(page->cairo);
+    for (size_t t = 0; t < piece->tab_count; t++)
+        polygon(page, motion, piece->tabs[t].corners, piece->tabs[t].corner_count, true);
+    cairo_fill(page->cairo);
+}
+
+void ktg_draw_folds(const ktg_page *page, const ktg_pattern_placement *placement) {
+    const ktg_drawing *drawing = page->drawing;
+    ktg_motion2 motion = ktg_page_motion(placement);
+    for (size_t i = drawing->first_fold[placement->piece];
+         i < drawing->first_fold[placement->piece + 1]; i++) {
+        const ktg_fold_segment *fold = &drawing->folds[i];
+        ktg_draw_stroke(drawing, page->cairo, fold->stroke,
+                        ktg_page_point(page, motion, fold->from),
+                        ktg_page_point(page, motion, fold->to));
+    }
+}
+
+/* One stroke for the whole walk: where it runs along itself (the two sides of a slit that has not
+ * opened) the line is no heavier than elsewhere. */
+void ktg_draw_outline(const ktg_page *page, const ktg_pattern_placement *placement) {
+    const ktg_pattern_piece *piece = &page->drawing->pattern->pieces[placement->piece];
+    polygon(page, ktg_page_motion(placement), piece->outline, piece->outline_count, true);
+    ktg_draw_set_stroke(page->drawing, page->cairo, KTG_STROKE_CUT);
+    cairo_stroke(page->cairo);
+}
+
+ktg_stroke ktg_stroke_of_line(ktg_line_kind kind) {
+    switch (kind) {
+    case KTG_LINE_SEW:
+        return KTG_STROKE_SEW;
+    case KTG_LINE_GRAIN:
+        return KTG_STROKE_GRAIN;
+    case KTG_LINE_FOLD:
+        return KTG_STROKE_PLACE_FOLD;
+    case KTG_LINE_DART:
+        return KTG_STROKE_DART;
+    case KTG_LINE_NOTCH:
+        return KTG_STROKE_NOTCH;
+    default:
+        return KTG_STROKE_INTERNAL;
+    }
+}
+
+void ktg_draw_arrow_head(cairo_t *cairo, ktg_vec2 tip, ktg_vec2 from, double length) {
+    ktg_vec2 back = ktg_unit2(ktg_sub2(from, tip)), side = ktg_perp2(back);
+    ktg_vec2 foot = ktg_madd2(tip, length, back);
+    ktg_vec2 left = ktg_madd2(foot, length / 3, side), right = ktg_madd2(foot, -length / 3, side);
+    cairo_move_to(cairo, tip.x, tip.y);
+    cairo_line_to(cairo, left.x, left.y);
+    cairo_line_to(cairo, right.x, right.y);
+    cairo_close_path(cairo);
+    cairo_fill(cairo);
+}
+
+static void draw_line(const ktg_page *page, ktg_motion2 motion, const ktg_pattern_line *line) {
+    ktg_stroke stroke = ktg_stroke_of_line(line->kind);
+    double length = 0;
+    for (size_t i = 1; i < line->point_count; i++)
+        length += ktg_length2(ktg_sub2(line->points[i], line->points[i - 1]));
+    ktg_draw_set_stroke(page->drawing, page->cairo, stroke);
+    set_dashes(page->cairo, dashes_of(page->drawing, stroke), length);
+    polygon(page, motion, line->points, line->point_count, false);
+    cairo_stroke(page->cairo);
+    if (line->kind == KTG_LINE_GRAIN && line->point_count > 1) {
+        size_t last = line->point_count - 1;
+        double head = fmin(4, length / 4);
+        ktg_vec2 a = ktg_page_point(page, motion, line->points[0]),
+                 b = ktg_page_point(page, motion, line->points[last]);
+        ktg_draw_arrow_head(page->cairo, a, ktg_page_point(page, motion, line->points[1]), head);
+        ktg_draw_arrow_head(page->cairo, b, ktg_page_point(page, motion, line->points[last - 1]),
+                            head);
+    }
+}
+
+void ktg_draw_lines(const ktg_page *page, const ktg_pattern_placement *placement) {
+    const ktg_pattern_piece *piece = &page->drawing->pattern->pieces[placement->piece];
+    for (size_t i = 0; i < piece->line_count; i++)
+        draw_line(page, ktg_page_motion(placement), &piece->lines[i]);
+}

@@ -1,0 +1,46 @@
+/* render/page.c - one sheet: where its pieces come to lie on the page, layer by layer. */
+#include "render/draw.h"
+
+ktg_motion2 ktg_page_motion(const ktg_pattern_placement *placement) {
+    return (ktg_motion2){
+        cos(placement->rotation), sin(placement->rotation), {placement->x, placement->y}};
+}
+
+ktg_vec2 ktg_page_point(const ktg_page *page, ktg_motion2 motion, ktg_vec2 point) {
+    ktg_vec2 on_sheet = ktg_move2(motion, point);
+    return (ktg_vec2){on_sheet.x, page->sheet->height_mm - on_sheet.y};
+}
+
+ktg_area ktg_page_printable(const ktg_page *page) {
+    const ktg_pattern_sheet *sheet = page->sheet;
+    return (ktg_area){sheet->printable[0], sheet->height_mm - sheet->printable[3],
+                      sheet->printable[2], sheet->height_mm - sheet->printable[1]};
+}
+
+void ktg_page_begin(cairo_t *cairo) {
+    cairo_font_options_t *fonts = cairo_font_options_create();
+    cairo_font_options_set_hint_style(fonts, CAIRO_HINT_STYLE_NONE);
+    cairo_font_options_set_hint_metrics(fonts, CAIRO_HINT_METRICS_OFF);
+    cairo_font_options_set_antialias(fonts, CAIRO_ANTIALIAS_GRAY);
+    cairo_set_font_options(cairo, fonts);
+    cairo_font_options_destroy(fonts);
+}
+
+ktg_status ktg_page_draw(const ktg_drawing *drawing, size_t number, cairo_t *cairo,
+                         bool *furnished) {
+    typedef void layer(const ktg_page *, const ktg_pattern_placement *);
+    static layer *const layers[] = {ktg_draw_tabs, ktg_draw_folds, ktg_draw_lines, ktg_draw_outline,
+                                    ktg_draw_labels};
+    ktg_page page = {drawing, &drawing->pattern->sheets[number], number, cairo};
+    ktg_status status = ktg_check_cancel(drawing->context);
+    if (status != KTG_OK)
+        return status;
+    ktg_page_begin(cairo);
+    *furnished = ktg_furniture_draw(&page);
+    for (size_t k = 0; k < sizeof layers / sizeof *layers; k++)
+        for (size_t i = 0; i < page.sheet->placement_count; i++)
+            layers[k](&page, &page.sheet->placements[i]);
+    ktg_progress(drawing->context, "render",
+                 (double)(number + 1) / (double)drawing->pattern->sheet_count, NULL);
+    return KTG_OK;
+}
