@@ -91,7 +91,11 @@ void ktg_progress(ktg_context *context, const char *stage, double fraction, cons
 }
 
 ktg_status ktg_check_cancel(ktg_context *context) {
-    if (context->cancel && context->cancel(context->cancel_user))
+    if (context->cancel && context->cancel(context->cancel_user) == KTG_STOP)
         return ktg_fail(context, KTG_CANCELLED, "interrupted");
     return KTG_OK;
+}
+
+bool ktg_wants_finish(ktg_context *context) {
+    return context->cancel && context->cancel(context->cancel_user) != KTG_GO_ON;
 }

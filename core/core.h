@@ -69,8 +69,13 @@ typedef void ktg_log_function(void *user, ktg_log_level level, const char *text)
  * `detail` is a short text for people, or NULL. */
 typedef void ktg_progress_function(void *user, const char *stage, double fraction,
                                    const char *detail);
-/* Returns true when the work should stop; asked often. */
-typedef bool ktg_cancel_function(void *user);
+/* What the caller wants a running job to do; asked often. */
+typedef enum ktg_wish {
+    KTG_GO_ON,
+    KTG_FINISH, /* end searches with the best found so far, then do the rest of the job */
+    KTG_STOP    /* give up: the call fails with KTG_CANCELLED */
+} ktg_wish;
+typedef ktg_wish ktg_cancel_function(void *user);
 
 /* Makes a context with no callbacks and seed 1. On KTG_MEMORY *context is NULL. */
 KTG_API KTG_NODISCARD ktg_status ktg_context_new(ktg_context **context);
@@ -101,13 +106,14 @@ KTG_API void ktg_context_fail_allocation(ktg_context *context, uint64_t nth);
 KTG_API ktg_status ktg_fail(ktg_context *context, ktg_status status, const char *format, ...)
     KTG_PRINTF(3, 4);
 
-/* For stages: hand a line to the log, a fraction to the progress callback, ask whether to stop
- * (KTG_CANCELLED with a message, or KTG_OK). */
+/* For stages: hand a line to the log, a fraction to the progress callback; ask whether to give up
+ * (KTG_CANCELLED with a message, or KTG_OK), and whether a search should end with what it has. */
 KTG_API void ktg_log(ktg_context *context, ktg_log_level level, const char *format, ...)
     KTG_PRINTF(3, 4);
 KTG_API void ktg_progress(ktg_context *context, const char *stage, double fraction,
                           const char *detail);
 KTG_API KTG_NODISCARD ktg_status ktg_check_cancel(ktg_context *context);
+KTG_API bool ktg_wants_finish(ktg_context *context);
 
 /* Frees what the library allocated as a plain array (where a header says "free with ktg_free"). */
 KTG_API void ktg_free(void *memory);

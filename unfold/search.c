@@ -13,7 +13,7 @@ bool ktg_search_goes_on(ktg_context *context, ktg_search *search) {
     ktg_stopped_by *why = &search->report.stopped_by;
     if (*why == KTG_STOPPED_TIME || *why == KTG_STOPPED_INTERRUPT)
         return false;
-    if (ktg_check_cancel(context) != KTG_OK)
+    if (ktg_wants_finish(context))
         *why = KTG_STOPPED_INTERRUPT;
     else if (search->deadline > 0 && ktg_search_clock() > search->deadline)
         *why = KTG_STOPPED_TIME;

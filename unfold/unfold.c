@@ -234,8 +234,10 @@ static ktg_status fill_pattern(ktg_context *context, work *w, const char *name,
                                 &w->component_count));
     KTG_TRY(group_faces(context, w));
     KTG_TRY(start_pattern(context, w, name, pattern));
-    for (uint32_t c = 0; c < w->component_count; c++)
+    for (uint32_t c = 0; c < w->component_count; c++) {
         KTG_TRY(unfold_component(context, w, c, pattern));
+        KTG_TRY(ktg_check_cancel(context));
+    }
     KTG_TRY(name_pieces(context, pattern));
     return ktg_edges_fill(context, w->adjacency, w->is_fold, pattern);
 }

@@ -50,8 +50,8 @@ typedef struct ktg_unfold_report {
  * angle, no tabs; each face lies in exactly one piece and no two faces of a piece overlap by more
  * than 1e-9 of the model's size. What cannot be merged stays a further piece, so there is always an
  * answer. `name`: what a single component is called. Inner edges of coplanar input polygons
- * (mesh->face_polygon) stay folds. The cancel callback ends the search early with the best pieces
- * so far (stopped_by says so); it is not an error. */
+ * (mesh->face_polygon) stay folds. A cancel callback that says KTG_FINISH ends the search early
+ * with the best pieces so far (stopped_by says so); KTG_STOP fails with KTG_CANCELLED. */
 KTG_API KTG_NODISCARD ktg_status ktg_unfold(ktg_context *context, const ktg_mesh *mesh,
                                             const char *name, const ktg_unfold_options *options,
                                             ktg_pattern **pattern, ktg_unfold_report *report);
