@@ -77,6 +77,7 @@ static ktg_status flatten(ktg_context *context, const ktg_mesh *mesh, const char
     KTG_TRY(ktg_strain_measure(context, work->panel, work->flat, work->face_strain, report,
                                &first_flipped));
     KTG_TRY(refuse_flipped(context, report, first_flipped));
+    KTG_TRY(ktg_panel_check_overlap(context, work->panel, work->flat));
     KTG_TRY(
         ktg_flat_pattern(context, mesh, work->panel, name, work->flat, work->face_strain, pattern));
     ktg_progress(context, "flatten", 1, NULL);

@@ -18,7 +18,7 @@ extern "C" {
 typedef enum ktg_edge_weight { KTG_WEIGHT_COTANGENT, KTG_WEIGHT_UNIT } ktg_edge_weight;
 
 typedef struct ktg_flatten_options {
-    ktg_edge_weight weight; /* default: cotangent, clamped from below at 1e-3 of the mean */
+    ktg_edge_weight weight; /* default: cotangent, raised to 1e-3 of the mean where lower */
 } ktg_flatten_options;
 
 KTG_API void ktg_flatten_defaults(ktg_flatten_options *options);
@@ -33,11 +33,21 @@ typedef struct ktg_flatten_report {
     double seconds;
 } ktg_flatten_report;
 
-/* Flattens a mesh that is one topological disk (KTG_GEOMETRY says what it is instead: closed,
- * several components, more than one border, a handle) by the two-step method. The pattern (mode
- * KTG_CLOTH) has one piece, in the model's unit, named `name`, with face_strain; its largest extent
- * lies along y, upright as in the model. KTG_GEOMETRY when faces come out flipped: what is printed
- * never folds over. */
+/* Flattens a mesh, as ktg_mesh_repair leaves it, that is one topological disk by the two-step
+ * method. NULL options: the defaults; report may be NULL.
+ *
+ * The pattern (mode KTG_CLOTH) has one component and one piece, both named `name`, in the model's
+ * unit, with face_strain. Piece vertices are those of the mesh, in its order; the lower left corner
+ * of their box is the origin. The piece is turned so that the model's y points to the piece's +y as
+ * well as it can (least squares over the area; of a panel that lies on the ground, the model's -z,
+ * as seen from above), and never mirrored. Cloth is neither folded nor cut inside a panel: every
+ * inner edge is KTG_EDGE_FLAT, with the surface's true dihedral angle, every other one
+ * KTG_EDGE_BORDER.
+ *
+ * KTG_GEOMETRY says what is wrong: a mesh that is not a disk (closed, several parts, more than one
+ * border, a handle), a face without area, faces that come out flipped or a flat shape that lies on
+ * itself: what is printed never folds over. The report is filled in the last two cases as well.
+ * KTG_CANCELLED, KTG_MEMORY. *pattern: freed by ktg_pattern_free, NULL on failure. */
 KTG_API KTG_NODISCARD ktg_status ktg_flatten(ktg_context *context, const ktg_mesh *mesh,
                                              const char *name, const ktg_flatten_options *options,
                                              ktg_pattern **pattern, ktg_flatten_report *report);

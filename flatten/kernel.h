@@ -7,6 +7,7 @@
  *     ktg_similarity_step      the paper's first solve
  *     ktg_scale_step           the paper's second solve
  *     ktg_strain_measure       how much the flat shape strains each face
+ *     ktg_panel_check_overlap  does it lie on itself
  *     ktg_flat_pattern         the result as a pattern
  */
 #ifndef KTG_FLATTEN_KERNEL_H
@@ -127,6 +128,12 @@ ktg_vec2 ktg_face_map_direction(const ktg_face_map *map, ktg_vec3 direction);
 KTG_NODISCARD ktg_status ktg_strain_measure(ktg_context *context, const ktg_panel *panel,
                                             const ktg_vec2 *flat, double *face_strain,
                                             ktg_flatten_report *report, uint32_t *first_flipped);
+
+/* ---- overlap.c ---------------------------------------------------------------------------- */
+
+/* KTG_GEOMETRY when the border of the flat panel, of which no face is flipped, crosses itself. */
+KTG_NODISCARD ktg_status ktg_panel_check_overlap(ktg_context *context, const ktg_panel *panel,
+                                                 const ktg_vec2 *flat);
 
 /* ---- pattern.c ---------------------------------------------------------------------------- */
 

@@ -9,6 +9,8 @@
 #include "core/vec.h"
 #include "flatten/kernel.h"
 
+#include <string.h>
+
 /* The vertices that are not pinned, numbered. */
 typedef struct unknowns {
     uint32_t count;
@@ -81,36 +83,77 @@ static void add_edge(hermitian_system *system, const ktg_neighbourhood *n) {
         }
 }
 
-static ktg_status solve_hermitian(ktg_context *context, hermitian_system *system) {
-    ktg_factor *factor;
-    uint32_t count = system->free_vertices->count;
-    KTG_TRY(
-        ktg_factor_new_hermitian(context, count, system->entries, system->entry_count, &factor));
-    ktg_status status =
-        ktg_factor_solve_hermitian(context, factor, system->right, 1, system->right);
-    ktg_factor_free(&factor);
+/* The 10 entries at most of an edge's 4 x 4 lower triangle. */
+enum { entries_per_edge = 10 };
+
+static ktg_status factor_similarity(ktg_context *context, const ktg_edges *edges,
+                                    hermitian_system *system, ktg_factor **factor) {
+    system->entries =
+        ktg_new(context, (size_t)edges->edge_count * entries_per_edge, ktg_hermitian_entry);
+    if (!system->entries)
+        return KTG_MEMORY;
+    for (uint32_t e = 0; e < edges->edge_count; e++)
+        add_edge(system, &edges->neighbourhoods[e]);
+    ktg_status status = ktg_factor_new_hermitian(context, system->free_vertices->count,
+                                                 system->entries, system->entry_count, factor);
+    ktg_free(system->entries);
+    system->entries = NULL;
     return status;
 }
 
-/* The 10 entries at most of an edge's 4 x 4 lower triangle. */
-enum { entries_per_edge = 10 };
+/* right = - gradient of the sum of squares at `positions`, made from the residuals themselves. */
+static void descend(hermitian_system *system, const ktg_edges *edges, const ktg_vec2 *positions) {
+    memset(system->right, 0, system->free_vertices->count * sizeof *system->right);
+    for (uint32_t e = 0; e < edges->edge_count; e++) {
+        const ktg_neighbourhood *n = &edges->neighbourhoods[e];
+        for (uint32_t base = 0; base < 2; base++) {
+            ktg_vec2 factors[4], residual = {0, 0};
+            edge_residual(n, base, factors);
+            for (uint32_t v = 0; v < n->count; v++)
+                residual = ktg_add2(residual, ktg_turn(factors[v], positions[n->vertices[v]]));
+            for (uint32_t v = 0; v < n->count; v++) {
+                uint32_t row = system->free_vertices->number[n->vertices[v]];
+                if (row != KTG_NONE)
+                    system->right[row] = ktg_madd2(system->right[row], -n->weight,
+                                                   ktg_turn_back(factors[v], residual));
+            }
+        }
+    }
+}
+
+/* The matrix has the squared condition of the residuals, so that a fine panel would lose half its
+ * digits. Two corrections from residuals computed afresh bring them back: the largest strain of a
+ * slit flat ring of 4,600 faces falls from 7e-8 to 8e-12. */
+enum { corrections = 2 };
+
+static ktg_status solve_similarity(ktg_context *context, const ktg_edges *edges,
+                                   hermitian_system *system, ktg_factor *factor,
+                                   ktg_vec2 *positions) {
+    for (int round = 0; round <= corrections; round++) {
+        if (round > 0)
+            descend(system, edges, positions);
+        KTG_TRY(ktg_factor_solve_hermitian(context, factor, system->right, 1, system->right));
+        for (uint32_t v = 0; v < edges->vertex_count; v++) {
+            uint32_t k = system->free_vertices->number[v];
+            if (k != KTG_NONE)
+                positions[v] =
+                    round > 0 ? ktg_add2(positions[v], system->right[k]) : system->right[k];
+        }
+    }
+    return KTG_OK;
+}
 
 static ktg_status similarity(ktg_context *context, const ktg_edges *edges,
                              const unknowns *free_vertices, ktg_vec2 *positions) {
     hermitian_system system = {.free_vertices = free_vertices, .pinned = positions};
-    system.entries =
-        ktg_new(context, (size_t)edges->edge_count * entries_per_edge, ktg_hermitian_entry);
+    ktg_factor *factor = NULL;
     system.right = ktg_new(context, free_vertices->count, ktg_vec2);
-    ktg_status status = system.entries && system.right ? KTG_OK : KTG_MEMORY;
-    if (status == KTG_OK) {
-        for (uint32_t e = 0; e < edges->edge_count; e++)
-            add_edge(&system, &edges->neighbourhoods[e]);
-        status = solve_hermitian(context, &system);
-    }
-    for (uint32_t v = 0; status == KTG_OK && v < edges->vertex_count; v++)
-        if (free_vertices->number[v] != KTG_NONE)
-            positions[v] = system.right[free_vertices->number[v]];
-    ktg_free(system.entries);
+    ktg_status status = system.right ? KTG_OK : KTG_MEMORY;
+    if (status == KTG_OK)
+        status = factor_similarity(context, edges, &system, &factor);
+    if (status == KTG_OK)
+        status = solve_similarity(context, edges, &system, factor, positions);
+    ktg_factor_free(&factor);
     ktg_free(system.right);
     return status;
 }
