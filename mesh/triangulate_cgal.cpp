@@ -1,0 +1,116 @@
+/* mesh/triangulate_cgal.cpp - the constrained Delaunay triangulation of a polygon, by CGAL. */
+#include "core/guard.hpp"
+#include "core/random.h"
+#include "mesh/triangulate.h"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
+
+#include <numeric>
+#include <vector>
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Vertex = CGAL::Triangulation_vertex_base_with_info_2<uint32_t, Kernel>;
+/* The flag of a face: seen to be inside. */
+using Face =
+    CGAL::Triangulation_face_base_with_info_2<bool, Kernel,
+                                              CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+using Data = CGAL::Triangulation_data_structure_2<Vertex, Face>;
+using Cdt = CGAL::Constrained_Delaunay_triangulation_2<
+    Kernel, Data, CGAL::No_constraint_intersection_requiring_constructions_tag>;
+
+/* Inserts the corners in an order that keeps point location short. False when two coincide. */
+bool insert_corners(Cdt &cdt, std::vector<Kernel::Point_2> &points,
+                    std::vector<Cdt::Vertex_handle> &handles) {
+    using Map = CGAL::Pointer_property_map<Kernel::Point_2>::type;
+    std::vector<std::size_t> order(points.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    CGAL::spatial_sort(
+        order.begin(), order.end(),
+        CGAL::Spatial_sort_traits_adapter_2<Kernel, Map>(CGAL::make_property_map(points)));
+    Cdt::Face_handle hint;
+    for (std::size_t i : order) {
+        handles[i] = cdt.insert(points[i], hint);
+        handles[i]->info() = static_cast<uint32_t>(i);
+        hint = handles[i]->face();
+    }
+    return cdt.number_of_vertices() == points.size();
+}
+
+/* Makes the outline's edges edges of the triangulation. False when one crosses another or passes
+ * through a corner. In random order, since earlier edges then shield later ones from crossing many
+ * triangles (Shewchuk & Brown 2015, "Fast segment insertion and
+ * incremental construction of constrained Delaunay triangulations"): walked in sequence, a
+ * slanted comb takes quadratic time. */
+bool insert_outline(Cdt &cdt, const std::vector<Cdt::Vertex_handle> &handles) {
+    std::size_t count = handles.size();
+    std::vector<std::size_t> order(count);
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    ktg_random random;
+    ktg_random_seed(&random, 1);
+    for (std::size_t i = count; i > 1; i--)
+        std::swap(order[i - 1], order[ktg_random_below(&random, i)]);
+    try {
+        for (std::size_t i : order)
+            cdt.insert_constraint(handles[i], handles[(i + 1) % count]);
+    } catch (const Cdt::Intersection_of_constraints_exception &) {
+        return false;
+    }
+    for (std::size_t i = 0; i < count; i++)
+        if (!cdt.is_edge(handles[i], handles[(i + 1) % count]))
+            return false;
+    return true;
+}
+
+/* Collects the faces inside: all that are reached from the face left of the first outline edge
+ * without crossing the outline. False unless there are count - 2. */
+bool collect_inside(const Cdt &cdt, const std::vector<Cdt::Vertex_handle> &handles,
+                    uint32_t *triangles) {
+    size_t wanted = handles.size() - 2, found = 0;
+    Cdt::Face_handle face;
+    int opposite = 0;
+    cdt.is_edge(handles[0], handles[1], face, opposite);
+    if (face->vertex(Cdt::ccw(opposite)) != handles[0])
+        face = face->neighbor(opposite);
+    std::vector<Cdt::Face_handle> open{face};
+    face->info() = true;
+    for (; !open.empty(); found++) {
+        face = open.back();
+        open.pop_back();
+        if (cdt.is_infinite(face) || found == wanted)
+            return false;
+        for (int k = 0; k < 3; k++) {
+            triangles[3 * found + k] = face->vertex(k)->info();
+            Cdt::Face_handle next = face->neighbor(k);
+            if (face->is_constrained(k) || next->info())
+                continue;
+            next->info() = true;
+            open.push_back(next);
+        }
+    }
+    return found == wanted;
+}
+
+} // namespace
+
+extern "C" ktg_status ktg_triangulate_plane(ktg_context *context, const ktg_vec2 *corners,
+                                            uint32_t count, uint32_t *triangles, bool *simple) {
+    return ktg_guard(context, "triangulating a polygon", [&]() -> ktg_status {
+        std::vector<Kernel::Point_2> points;
+        points.reserve(count);
+        for (uint32_t i = 0; i < count; i++)
+            points.emplace_back(corners[i].x, corners[i].y);
+        Cdt cdt;
+        std::vector<Cdt::Vertex_handle> handles(count);
+        *simple = insert_corners(cdt, points, handles) && insert_outline(cdt, handles) &&
+                  collect_inside(cdt, handles, triangles);
+        return KTG_OK;
+    });
+}
