@@ -1,0 +1,89 @@
+/* mesh/simplify.h - the parts of the simplification (mesh only).
+ *
+ * Who is next is ours (simplify_collapse.c), what may not be is ours (simplify_rules.c), which
+ * vertices and faces are neighbours, and whether a collapse keeps the topology, is OpenMesh's
+ * (simplify_openmesh.cpp). */
+#ifndef KTG_MESH_SIMPLIFY_H
+#define KTG_MESH_SIMPLIFY_H
+
+#include "mesh/boxes.h"
+#include "mesh/mesh.h"
+#include "mesh/quadric.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- OpenMesh (simplify_openmesh.cpp) ------------------------------------------------------- */
+
+typedef struct ktg_halfedges ktg_halfedges;
+
+/* KTG_ARGUMENT when a face does not fit an oriented manifold. */
+KTG_NODISCARD ktg_status ktg_halfedges_new(ktg_context *context, const ktg_mesh *mesh,
+                                           ktg_halfedges **halfedges);
+void ktg_halfedges_free(ktg_halfedges **halfedges);
+
+/* The faces around a vertex, and the vertices; valid until the next call of the same function. */
+uint32_t ktg_halfedges_faces(ktg_halfedges *halfedges, uint32_t vertex, const uint32_t **faces);
+uint32_t ktg_halfedges_neighbours(ktg_halfedges *halfedges, uint32_t vertex,
+                                  const uint32_t **vertices);
+bool ktg_halfedges_is_border(const ktg_halfedges *halfedges, uint32_t vertex);
+
+/* Whether `from` may move onto its neighbour `to` without a change of topology. */
+bool ktg_halfedges_may_collapse(ktg_halfedges *halfedges, uint32_t from, uint32_t to);
+
+/* Does it; the faces that were on both are gone. */
+void ktg_halfedges_collapse(ktg_halfedges *halfedges, uint32_t from, uint32_t to);
+
+/* ---- the state of a simplification ---------------------------------------------------------- */
+
+/* How strictly shapes are looked after; a later stage starts when an earlier one finds nothing. */
+typedef enum ktg_strictness { KTG_SHAPELY, KTG_PASSABLE, KTG_STRICTNESS_COUNT } ktg_strictness;
+
+typedef struct ktg_candidate {
+    double cost;
+    ktg_vec3 position; /* of the vertex that stays */
+    uint32_t from, to; /* `from` goes */
+    uint32_t stamp;    /* stamps of both when this was computed, added up */
+    uint32_t choice;   /* 0: the best position; 1, 2: one of the ends */
+} ktg_candidate;
+
+typedef struct ktg_simplify {
+    ktg_context *context;
+    uint32_t vertex_count, face_count; /* of the input */
+    uint32_t live_faces;
+    ktg_vec3 *positions;   /* vertex_count, current */
+    uint32_t *faces;       /* 3 face_count, current */
+    bool *alive;           /* face_count */
+    ktg_quadric *quadrics; /* vertex_count, in a frame of their own: (p - centre) scale */
+    ktg_vec3 centre;
+    double scale;     /* a power of two */
+    uint32_t *stamps; /* vertex_count: goes up when a vertex changes */
+    ktg_halfedges *halfedges;
+    ktg_boxes *boxes;     /* of the living faces */
+    uint32_t boxed_faces; /* how many there were when the tree was built */
+    ktg_candidate *heap;
+    size_t heap_count, heap_capacity;
+    ktg_strictness strictness;
+
+    /* scratch of the rules: faces that change, with their old and new corners; those that go */
+    uint32_t *changed, *found;
+    size_t changed_count, removed_count, changed_capacity, found_capacity, shape_capacity;
+    ktg_vec3 *shapes; /* 6 per changed face: old corners, new corners; removed faces behind them */
+} ktg_simplify;
+
+/* simplify_rules.c: whether the collapse leaves every face around it in good order: none turned,
+ * none thin that was not, no new pair of faces that intersect. */
+KTG_NODISCARD ktg_status ktg_simplify_allowed(ktg_simplify *s, const ktg_candidate *candidate,
+                                              bool *allowed);
+
+/* simplify_collapse.c: collapses until `target_faces` are left or nothing more is allowed. */
+KTG_NODISCARD ktg_status ktg_simplify_run(ktg_simplify *s, uint32_t target_faces);
+
+/* The box tree over the living faces, built anew. */
+KTG_NODISCARD ktg_status ktg_simplify_box_faces(ktg_simplify *s);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
