@@ -44,34 +44,43 @@ size_t ktg_furniture_details(const ktg_drawing *drawing, size_t sheet,
     return count;
 }
 
-static void join_details(const ktg_page *page, char *text, size_t size) {
+/* The details in one line, no wider than `width`: what is known elsewhere gives way first, which
+ * sheet it is last. */
+static void join_details(const ktg_page *page, double width, char *text, size_t size) {
     char details[KTG_DETAIL_COUNT][KTG_DETAIL_SIZE];
-    size_t count = ktg_furniture_details(page->drawing, page->number, details), used = 0;
-    for (size_t i = 0; i < count && used < size; i++)
-        used +=
-            (size_t)snprintf(text + used, size - used, "%s%s", i > 0 ? SEPARATOR : "", details[i]);
+    size_t count = ktg_furniture_details(page->drawing, page->number, details);
+    for (;;) {
+        size_t used = 0;
+        for (size_t i = 0; i < count && used < size; i++)
+            used += (size_t)snprintf(text + used, size - used, "%s%s", i > 0 ? SEPARATOR : "",
+                                     details[i]);
+        if (count == 1 || ktg_text_width(page->cairo, text) <= width)
+            break;
+        if (--count > 1) /* "print at 100 %" stays with the sheet's number */
+            memcpy(details[count - 1], details[count], KTG_DETAIL_SIZE);
+    }
+    ktg_text_shorten(page->cairo, width, text, size);
 }
 
-/* The title, and what is told beside it; the title gives way first. */
+/* The title, and what is told beside it, which leaves the title some room. */
 static void draw_title(const ktg_page *page, ktg_area printable) {
     cairo_t *cairo = page->cairo;
     double baseline = printable.y0 - BASELINE_MM, width = printable.x1 - printable.x0, gap = 4;
     char title[KTG_TITLE_SIZE], details[KTG_DETAIL_COUNT * (KTG_DETAIL_SIZE + 8)];
     memcpy(title, page->drawing->title, sizeof title);
-    join_details(page, details, sizeof details);
 
-    ktg_text_set(cairo, KTG_FACE_PLAIN, DETAIL_DIGIT_MM);
-    double beside = ktg_text_width(cairo, details);
     ktg_text_set(cairo, KTG_FACE_BOLD, TITLE_DIGIT_MM);
-    ktg_text_shorten(cairo, fmax(width - gap - beside, fmin(width / 3, 30)), title, sizeof title);
-    cairo_set_source_rgb(cairo, 0.1, 0.1, 0.1);
-    double used = ktg_text_width(cairo, title);
-    ktg_text_draw(cairo, printable.x0, baseline, title);
-
+    double wanted = fmin(ktg_text_width(cairo, title), fmin(width / 3, 40));
     ktg_text_set(cairo, KTG_FACE_PLAIN, DETAIL_DIGIT_MM);
     cairo_set_source_rgb(cairo, 0.25, 0.25, 0.25);
-    ktg_text_shorten(cairo, width - used - gap, details, sizeof details);
-    ktg_text_draw(cairo, printable.x1 - ktg_text_width(cairo, details), baseline, details);
+    join_details(page, width - wanted - gap, details, sizeof details);
+    double beside = ktg_text_width(cairo, details);
+    ktg_text_draw(cairo, printable.x1 - beside, baseline, details);
+
+    ktg_text_set(cairo, KTG_FACE_BOLD, TITLE_DIGIT_MM);
+    cairo_set_source_rgb(cairo, 0.1, 0.1, 0.1);
+    ktg_text_shorten(cairo, width - gap - beside, title, sizeof title);
+    ktg_text_draw(cairo, printable.x0, baseline, title);
 }
 
 /* The bottom strip: a ruler from the left, the legend from the right, as much as there is room for.
