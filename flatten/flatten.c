@@ -39,6 +39,11 @@ static ktg_status lay_flat(ktg_context *context, const ktg_panel *panel,
     if (status == KTG_OK)
         status = two_steps(context, panel, neighbourhoods, flat);
     ktg_free(neighbourhoods);
+    if (status == KTG_GEOMETRY)
+        return ktg_fail(context, status,
+                        "the panel is too long and thin, or its faces are too uneven, to be laid "
+                        "flat with the digits of a double; cut it into shorter panels or remesh "
+                        "it");
     return status;
 }
 

@@ -45,8 +45,9 @@ typedef struct ktg_flatten_report {
  * KTG_EDGE_BORDER.
  *
  * KTG_GEOMETRY says what is wrong: a mesh that is not a disk (closed, several parts, more than one
- * border, a handle), a face without area, faces that come out flipped or a flat shape that lies on
- * itself: what is printed never folds over. The report is filled in the last two cases as well.
+ * border, a handle), a face without area, a panel a hundred thousand times as long as wide, faces
+ * that come out flipped or a flat shape that lies on itself: what is printed never folds over. The
+ * report is filled in the last two cases as well.
  * KTG_CANCELLED, KTG_MEMORY. *pattern: freed by ktg_pattern_free, NULL on failure. */
 KTG_API KTG_NODISCARD ktg_status ktg_flatten(ktg_context *context, const ktg_mesh *mesh,
                                              const char *name, const ktg_flatten_options *options,

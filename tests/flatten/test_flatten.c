@@ -267,6 +267,35 @@ static void a_panel_that_would_lie_on_itself_is_refused(void **state) {
     ktg_mesh_free(&mesh);
 }
 
+static void a_ribbon_without_end_is_refused_and_a_long_one_is_not(void **state) {
+    ktg_context *context = *state;
+    const uint32_t lengths[] = {1000, 100000};
+    for (int k = 0; k < 2; k++) {
+        uint32_t length = lengths[k];
+        ktg_vec3 *positions = ktg_new(context, 2 * (size_t)length + 2, ktg_vec3);
+        uint32_t *faces = ktg_new(context, 6 * (size_t)length, uint32_t);
+        for (uint32_t v = 0; v < 2 * length + 2; v++)
+            positions[v] = (ktg_vec3){v / 2, v % 2, 0};
+        for (uint32_t i = 0; i < length; i++) {
+            uint32_t a = 2 * i, square[6] = {a, a + 2, a + 3, a, a + 3, a + 1};
+            memcpy(faces + 6 * (size_t)i, square, sizeof square);
+        }
+        ktg_mesh *mesh = small_mesh(context, positions, 2 * length + 2, faces, 2 * length);
+        ktg_pattern *pattern;
+        ktg_flatten_report report;
+        ktg_status status = ktg_flatten(context, mesh, "ribbon", NULL, &pattern, &report);
+        assert_int_equal(status, k == 0 ? KTG_OK : KTG_GEOMETRY);
+        if (k == 0)
+            assert_true(report.strain_max < 1e-9);
+        else
+            assert_non_null(strstr(ktg_context_message(context), "too long and thin"));
+        ktg_pattern_free(&pattern);
+        ktg_mesh_free(&mesh);
+        ktg_free(positions);
+        ktg_free(faces);
+    }
+}
+
 static ktg_wish stop_at_once(void *user) {
     return ++*(int *)user > 0 ? KTG_STOP : KTG_GO_ON;
 }
@@ -326,6 +355,7 @@ int main(void) {
         TEST(a_piece_stands_upright_as_seen_from_outside),
         TEST(a_panel_that_would_fold_over_is_refused),
         TEST(a_panel_that_would_lie_on_itself_is_refused),
+        TEST(a_ribbon_without_end_is_refused_and_a_long_one_is_not),
         TEST(the_work_can_be_cancelled),
         TEST(every_allocation_may_fail),
     };

@@ -70,7 +70,7 @@ static void weights_are_cotangents_but_never_too_low(void **state) {
 
 static void strain_is_measured_from_known_maps(void **state) {
     ktg_context *context = *state;
-    /* two triangles in space, areas 4 to 1 once normalised to half their size */
+    /* two triangles in space, areas 4 to 1 */
     const ktg_vec3 positions[] = {{0, 0, 0}, {4, 0, 0}, {0, 0, -4}, {1, 0, 1}};
     const uint32_t faces[] = {0, 1, 2, 1, 0, 3};
     ktg_mesh *mesh = small_mesh(context, positions, 4, faces, 2);
