@@ -73,6 +73,7 @@ typedef struct ktg_pipeline_report {
     ktg_finish_report finish;
     ktg_layout_report layout;
     uint32_t faces, pieces, components;
+    uint32_t self_intersections; /* of the surface that was unfolded; pairs of faces */
     double mm_per_unit;
     ktg_vec3 size_mm; /* of the finished model: width, height (along up), length */
     ktg_axis up;      /* the axis that was taken */

@@ -1,13 +1,6 @@
 /* unfold/search.c - limits of a search. */
 #include "unfold/search.h"
-
-#include <time.h>
-
-double ktg_search_clock(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
+#include "core/clock.h"
 
 bool ktg_search_goes_on(ktg_context *context, ktg_search *search) {
     ktg_stopped_by *why = &search->report.stopped_by;
@@ -15,7 +8,7 @@ bool ktg_search_goes_on(ktg_context *context, ktg_search *search) {
         return false;
     if (ktg_wants_finish(context))
         *why = KTG_STOPPED_INTERRUPT;
-    else if (search->deadline > 0 && ktg_search_clock() > search->deadline)
+    else if (search->deadline > 0 && ktg_clock_seconds() > search->deadline)
         *why = KTG_STOPPED_TIME;
     else
         return true;

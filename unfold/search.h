@@ -13,9 +13,6 @@ typedef struct ktg_search {
     ktg_unfold_report report;
 } ktg_search;
 
-/* Monotonic seconds. */
-double ktg_search_clock(void);
-
 /* False, with the reason in search->report.stopped_by, when time is up or the caller wants to stop.
  */
 bool ktg_search_goes_on(ktg_context *context, ktg_search *search);

@@ -1,6 +1,7 @@
 /* unfold/unfold.c - the whole unfolding: component by component, then the pattern around the
  * pieces. */
 #include "unfold/unfold.h"
+#include "core/clock.h"
 #include "core/memory.h"
 #include "core/vec.h"
 #include "unfold/edges.h"
@@ -254,7 +255,7 @@ ktg_status ktg_unfold(ktg_context *context, const ktg_mesh *mesh, const char *na
     KTG_TRY(ktg_adjacency_new(context, mesh, &adjacency));
     w.adjacency = adjacency;
     w.search.faces_all = mesh->face_count;
-    w.search.deadline = w.options->seconds > 0 ? ktg_search_clock() + w.options->seconds : 0;
+    w.search.deadline = w.options->seconds > 0 ? ktg_clock_seconds() + w.options->seconds : 0;
     ktg_status status = check_mesh(context, mesh, adjacency);
     if (status == KTG_OK)
         status = normalising_scale(context, mesh, &w.scale);

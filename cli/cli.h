@@ -1,0 +1,72 @@
+/* cli/cli.h - what the commands share: options, words for the terminal, exit codes (cli only). */
+#ifndef KTG_CLI_CLI_H
+#define KTG_CLI_CLI_H
+
+#include "core/core.h"
+#include "pipeline/pipeline.h"
+
+#include <stdio.h>
+
+typedef enum exit_code {
+    EXIT_DONE = 0,
+    EXIT_FAILED = 1,
+    EXIT_USAGE = 2,
+    EXIT_UNSOUND = 3,
+    EXIT_INTERRUPTED = 130
+} exit_code;
+
+/* ---- options (cli/options.c) -------------------------------------------------------------- */
+
+#define CLI_MOST_OUTPUTS 64
+
+/* Everything the command line of any command can say. */
+typedef struct settings {
+    ktg_pipeline_options pipeline;
+    const char *outputs[CLI_MOST_OUTPUTS];
+    size_t output_count;
+    const char *report;
+    const char *arguments[2]; /* what is not an option */
+    int argument_count;
+    bool faces_given;
+    uint64_t seed;
+    bool quiet, help;
+} settings;
+
+/* Which commands know an option. */
+enum { CMD_UNFOLD = 1, CMD_FLATTEN = 2, CMD_SIMPLIFY = 4, CMD_INFO = 8, CMD_VERIFY = 16 };
+
+/* Reads the command line of one command (argv[0] is its name). False, with a sentence on standard
+ * error, when it is not right: the exit code is EXIT_USAGE then. */
+bool cli_read_options(int argc, char **argv, int command, int least_arguments, int most_arguments,
+                      settings *s);
+
+/* The options of a command, as its --help shows them. */
+void cli_print_options(FILE *stream, int command);
+
+/* "180mm", "18cm", "7in", "0.3m", bare numbers are millimetres. False when it is none. */
+bool cli_parse_length(const char *text, double *mm);
+
+/* ---- terminal (cli/terminal.c) ------------------------------------------------------------ */
+
+/* A context whose notes, progress (on a terminal, unless quiet) and interrupts are ours. NULL, with
+ * a sentence on standard error, when memory is short. */
+ktg_context *cli_context(const settings *s);
+
+/* Ends a progress line, if one is shown. */
+void cli_end_progress(void);
+
+/* Tells the context's failure on standard error; the exit code that goes with it. */
+exit_code cli_fail(ktg_context *context, ktg_status status);
+
+/* Prints text that came from a file: control characters become '?'. */
+void cli_print_safe(FILE *stream, const char *text);
+
+/* ---- commands (cli/command_*.c) ----------------------------------------------------------- */
+
+exit_code command_unfold(int argc, char **argv);
+exit_code command_flatten(int argc, char **argv);
+exit_code command_simplify(int argc, char **argv);
+exit_code command_info(int argc, char **argv);
+exit_code command_verify(int argc, char **argv);
+
+#endif

@@ -1,0 +1,129 @@
+/* cli/command_info.c - katagami info: what is in a model, and what is wrong with it. */
+#include "cli/cli.h"
+
+static const char usage[] = "usage: katagami info MODEL\n\n"
+                            "Tells what a model file holds, how large it is, what is wrong with it "
+                            "and what unfold would repair.\n\n";
+
+/* Components by name are listed up to this many. */
+#define MOST_LISTED 20
+
+static void print_size(const ktg_mesh_report *r) {
+    static const struct {
+        const char *unit;
+        double mm;
+    } units[] = {{"mm", 1}, {"cm", 10}, {"m", 1000}, {"in", 25.4}};
+    double x = r->high.x - r->low.x, y = r->high.y - r->low.y, z = r->high.z - r->low.z;
+    printf("size          %.6g x %.6g x %.6g units (x, y, z)\n", x, y, z);
+    for (size_t i = 0; i < sizeof units / sizeof *units; i++)
+        printf("  if in %-2s    %.4g x %.4g x %.4g mm\n", units[i].unit, x * units[i].mm,
+               y * units[i].mm, z * units[i].mm);
+}
+
+static void print_shape(const ktg_mesh_report *r) {
+    printf("vertices      %u\nfaces         %u triangles\nedges         %u\ncomponents    %u\n",
+           r->vertices, r->faces, r->edges, r->components);
+    if (r->closed)
+        printf("closed        yes");
+    else
+        printf("closed        no, %u border edges in %u loop%s", r->border_edges, r->border_loops,
+               r->border_loops == 1 ? "" : "s");
+    if (r->genus >= 0)
+        printf(", genus %d", r->genus);
+    printf("\narea          %.6g square units\n", r->area);
+    if (r->volume != 0)
+        printf("volume        %.6g cubic units\n", r->volume);
+}
+
+static bool print_problem(uint32_t count, const char *what) {
+    if (count > 0)
+        printf("  %u %s\n", count, what);
+    return count > 0;
+}
+
+static void print_problems(const ktg_mesh_report *r) {
+    printf("problems\n");
+    bool any = print_problem(r->duplicate_faces, "duplicate faces");
+    any |= print_problem(r->degenerate_faces, "faces without area");
+    any |= print_problem(r->unreferenced_vertices, "unused vertices");
+    any |= print_problem(r->misoriented_edges, "edges whose faces run the same way round");
+    any |= print_problem(r->unstitched_edges, "open edges that coincide with others");
+    any |= print_problem(r->nonmanifold_edges, "edges with more than two faces");
+    any |= print_problem(r->nonmanifold_vertices, "vertices where sheets touch in a point");
+    any |= print_problem(r->inward_components, "closed parts that are inside out");
+    any |= print_problem(r->self_intersections, "pairs of faces that pass through each other");
+    if (!any)
+        printf("  none\n");
+}
+
+static void print_repair(const ktg_repair_report *repair, const ktg_mesh *mesh) {
+    if (repair->changed)
+        printf("unfold would repair this and work with %u faces and %u vertices\n",
+               mesh->face_count, mesh->vertex_count);
+}
+
+/* Names and sizes of the parts that would get nets of their own. */
+static ktg_status print_components(ktg_context *context, const ktg_mesh *mesh) {
+    ktg_adjacency *adjacency = NULL;
+    uint32_t *face_component = NULL, count = 0;
+    ktg_names names = {0};
+    ktg_status status = ktg_adjacency_new(context, mesh, &adjacency);
+    if (status == KTG_OK)
+        status = ktg_mesh_components(context, mesh, adjacency, &face_component, &count);
+    if (status == KTG_OK)
+        status = ktg_mesh_component_names(context, mesh, face_component, count, NULL, &names);
+    for (uint32_t c = 0; status == KTG_OK && count > 1 && c < count && c < MOST_LISTED; c++) {
+        uint32_t faces = 0;
+        for (uint32_t f = 0; f < mesh->face_count; f++)
+            faces += face_component[f] == c;
+        fputs("  part ", stdout);
+        cli_print_safe(stdout, names.text[c]);
+        printf(": %u faces\n", faces);
+    }
+    if (status == KTG_OK && count > MOST_LISTED)
+        printf("  and %u more parts\n", count - MOST_LISTED);
+    ktg_names_free(&names);
+    ktg_free(face_component);
+    ktg_adjacency_free(&adjacency);
+    return status;
+}
+
+static ktg_status run(ktg_context *context, const settings *s) {
+    ktg_mesh *mesh = NULL;
+    ktg_mesh_report report;
+    ktg_repair_report repair;
+    ktg_status status = ktg_mesh_read(context, s->arguments[0], KTG_MESH_BY_ENDING, &mesh);
+    if (status == KTG_OK)
+        status = ktg_mesh_check(context, mesh, true, &report);
+    cli_end_progress();
+    if (status == KTG_OK) {
+        print_shape(&report);
+        print_size(&report);
+        print_problems(&report);
+        status = ktg_mesh_repair(context, mesh, &repair);
+    }
+    if (status == KTG_OK) {
+        print_repair(&repair, mesh);
+        status = print_components(context, mesh);
+    }
+    ktg_mesh_free(&mesh);
+    return status;
+}
+
+exit_code command_info(int argc, char **argv) {
+    settings s;
+    if (!cli_read_options(argc, argv, CMD_INFO, 1, 1, &s))
+        return EXIT_USAGE;
+    if (s.help) {
+        fputs(usage, stdout);
+        cli_print_options(stdout, CMD_INFO);
+        return EXIT_DONE;
+    }
+    ktg_context *context = cli_context(&s);
+    if (!context)
+        return EXIT_FAILED;
+    ktg_status status = run(context, &s);
+    exit_code code = status == KTG_OK ? EXIT_DONE : cli_fail(context, status);
+    ktg_context_free(&context);
+    return code;
+}

@@ -1,0 +1,59 @@
+/* cli/command_simplify.c - katagami simplify: a model with fewer faces. */
+#include "cli/cli.h"
+
+static const char usage[] = "usage: katagami simplify MODEL --faces N -o FILE\n\n"
+                            "Repairs a model, simplifies it by quadric error and writes it as "
+                            ".obj, .stl, .ply or .off.\n\n";
+
+static ktg_status run(ktg_context *context, const settings *s) {
+    ktg_mesh *mesh = NULL;
+    ktg_output *output = NULL;
+    ktg_repair_report repair;
+    ktg_simplify_report simplify = {0};
+    ktg_status status = ktg_mesh_read(context, s->arguments[0], KTG_MESH_BY_ENDING, &mesh);
+    if (status == KTG_OK)
+        status = ktg_mesh_repair(context, mesh, &repair);
+    if (status == KTG_OK && s->pipeline.faces != KTG_ALL_FACES)
+        status = ktg_mesh_simplify(context, mesh, s->pipeline.faces, &simplify);
+    if (status == KTG_OK)
+        status = ktg_output_open(context, s->outputs[0], &output);
+    if (status == KTG_OK)
+        status = ktg_mesh_write(context, mesh, ktg_mesh_format_of(s->outputs[0]), output);
+    if (status == KTG_OK)
+        status = ktg_output_commit(context, &output);
+    cli_end_progress();
+    if (status == KTG_OK && !s->quiet) {
+        fprintf(stderr, "%u faces; wrote ", mesh->face_count);
+        cli_print_safe(stderr, s->outputs[0]);
+        fputc('\n', stderr);
+        if (s->pipeline.faces != KTG_ALL_FACES && !simplify.target_reached)
+            fputs("warning: fewer faces would change the model's topology or fold it over\n",
+                  stderr);
+    }
+    ktg_output_discard(&output);
+    ktg_mesh_free(&mesh);
+    return status;
+}
+
+exit_code command_simplify(int argc, char **argv) {
+    settings s;
+    if (!cli_read_options(argc, argv, CMD_SIMPLIFY, 1, 1, &s))
+        return EXIT_USAGE;
+    if (s.help) {
+        fputs(usage, stdout);
+        cli_print_options(stdout, CMD_SIMPLIFY);
+        return EXIT_DONE;
+    }
+    if (s.output_count != 1 || ktg_mesh_format_of(s.outputs[0]) == KTG_MESH_BY_ENDING) {
+        fputs("katagami simplify: wants one -o FILE that ends in .obj, .stl, .ply or .off\n",
+              stderr);
+        return EXIT_USAGE;
+    }
+    ktg_context *context = cli_context(&s);
+    if (!context)
+        return EXIT_FAILED;
+    ktg_status status = run(context, &s);
+    exit_code code = status == KTG_OK ? EXIT_DONE : cli_fail(context, status);
+    ktg_context_free(&context);
+    return code;
+}

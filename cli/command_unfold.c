@@ -1,0 +1,128 @@
+/* cli/command_unfold.c - katagami unfold and katagami flatten: the whole job. */
+#include "cli/cli.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const char unfold_usage[] =
+    "usage: katagami unfold MODEL [-o FILE]... [options]\n\n"
+    "Unfolds a model (OBJ, STL, PLY, OFF) into paper pieces with glue tabs, on sheets to be\n"
+    "printed at 100 %. Without -o it writes NAME.pdf beside the model; .pdf, .svg, .png and .json\n"
+    "can be written, '-' is PDF on standard output. A model of more than 500 faces is simplified\n"
+    "to 500 unless --faces says otherwise. Without a size the model becomes as large as one sheet\n"
+    "allows. Lengths take mm, cm, m, in; bare numbers are millimetres.\n"
+    "Ctrl-C ends the search and writes the best so far; a second one stops at once.\n\n";
+
+static const char flatten_usage[] =
+    "usage: katagami flatten PANEL --unit mm|cm|m|in [-o FILE]... [options]\n\n"
+    "Flattens one disk-like cloth panel as rigidly as it can and adds a seam allowance. Without "
+    "-o\n"
+    "it writes NAME.pdf beside the model; .pdf, .svg, .png and .json can be written. Cloth needs\n"
+    "a size: the model's unit, or the height, width or length of the finished thing.\n\n";
+
+/* NAME.pdf beside the model. Free with free(). */
+static char *default_output(const char *model) {
+    const char *slash = strrchr(model, '/'), *dot = strrchr(model, '.');
+    size_t length =
+        dot && (!slash || dot > slash + 1) && dot > model ? (size_t)(dot - model) : strlen(model);
+    if (strcmp(model, "-") == 0) {
+        model = "model";
+        length = 5;
+    }
+    char *path = malloc(length + 5);
+    if (path) {
+        memcpy(path, model, length);
+        memcpy(path + length, ".pdf", 5);
+    }
+    return path;
+}
+
+static const char *plural(uint32_t count) {
+    return count == 1 ? "" : "s";
+}
+
+static void tell_result(const settings *s, const ktg_pipeline_report *r) {
+    cli_end_progress();
+    if (s->quiet)
+        return;
+    if (r->unfold.stopped_by == KTG_STOPPED_INTERRUPT)
+        fputs("interrupted: this is the best pattern so far\n", stderr);
+    fprintf(stderr, "%u faces in %u piece%s on %u sheet%s of %s, %.0f %% filled\n", r->faces,
+            r->pieces, plural(r->pieces), r->layout.sheets, plural(r->layout.sheets),
+            s->pipeline.layout.sheet.name, 100 * r->layout.fill);
+    fprintf(stderr,
+            "finished size %.0f x %.0f x %.0f mm (width x height x length), %.4g mm per unit\n",
+            r->size_mm.x, r->size_mm.y, r->size_mm.z, r->mm_per_unit);
+    if (s->pipeline.mode == KTG_CLOTH)
+        fprintf(stderr, "strain: mean %.2f %%, 95 %% of the area below %.2f %%, largest %.2f %%\n",
+                100 * r->flatten.strain_mean, 100 * r->flatten.strain_p95,
+                100 * r->flatten.strain_max);
+    else if (s->pipeline.finish.tab_height_mm > 0)
+        fprintf(stderr, "%u seam%s; tabs: %u full, %u reduced, %u without room (butt joints)\n",
+                r->finish.seams, plural(r->finish.seams), r->finish.tabs_full,
+                r->finish.tabs_reduced, r->finish.tabs_none);
+    for (size_t i = 0; i < s->output_count; i++) {
+        fputs("wrote ", stderr);
+        cli_print_safe(stderr, s->outputs[i]);
+        fputc('\n', stderr);
+    }
+}
+
+static ktg_status run(ktg_context *context, settings *s) {
+    ktg_pipeline_report report;
+    ktg_output *output = NULL;
+    if (s->report) {
+        ktg_status status = ktg_output_open(context, s->report, &output);
+        if (status != KTG_OK)
+            return status;
+    }
+    ktg_status status = ktg_pipeline_run(context, &s->pipeline, &report);
+    if (status == KTG_OK && output)
+        status = ktg_pipeline_write_report(context, &s->pipeline, &report, output);
+    if (status == KTG_OK && output)
+        status = ktg_output_commit(context, &output);
+    ktg_output_discard(&output);
+    if (status == KTG_OK)
+        tell_result(s, &report);
+    return status;
+}
+
+static exit_code run_pattern(int argc, char **argv, int command, const char *usage) {
+    settings s;
+    if (!cli_read_options(argc, argv, command, 1, 1, &s))
+        return EXIT_USAGE;
+    if (s.help) {
+        fputs(usage, stdout);
+        cli_print_options(stdout, command);
+        return EXIT_DONE;
+    }
+    ktg_context *context = cli_context(&s);
+    char *path = default_output(s.arguments[0]);
+    if (!context || !path) {
+        free(path);
+        ktg_context_free(&context);
+        return EXIT_FAILED;
+    }
+    if (s.output_count == 0)
+        s.outputs[s.output_count++] = path;
+    s.pipeline.mode = command == CMD_FLATTEN ? KTG_CLOTH : KTG_PAPER;
+    if (command == CMD_FLATTEN && !s.faces_given)
+        s.pipeline.faces = KTG_ALL_FACES;
+    s.pipeline.layout.keep_grain = command == CMD_FLATTEN;
+    s.pipeline.model = s.arguments[0];
+    s.pipeline.outputs = s.outputs;
+    s.pipeline.output_count = s.output_count;
+    ktg_status status = run(context, &s);
+    exit_code code = status == KTG_OK ? EXIT_DONE : cli_fail(context, status);
+    ktg_context_free(&context);
+    free(path);
+    return code;
+}
+
+exit_code command_unfold(int argc, char **argv) {
+    return run_pattern(argc, argv, CMD_UNFOLD, unfold_usage);
+}
+
+exit_code command_flatten(int argc, char **argv) {
+    return run_pattern(argc, argv, CMD_FLATTEN, flatten_usage);
+}

@@ -1,0 +1,53 @@
+/* cli/main.c - the program: finds the command. */
+#include "cli/cli.h"
+
+#include <string.h>
+
+static const char usage[] =
+    "usage: katagami COMMAND ...\n\n"
+    "  unfold MODEL          a paper net with glue tabs, on sheets to be printed\n"
+    "  flatten PANEL         a cloth pattern with seam allowance from one curved panel\n"
+    "  simplify MODEL        the model with fewer faces\n"
+    "  info MODEL            what is in a model, and what is wrong with it\n"
+    "  verify PATTERN.json   proves a pattern, or says why it is not sound\n\n"
+    "katagami COMMAND --help tells more; katagami --version.\n";
+
+static const struct {
+    const char *name;
+    exit_code (*run)(int argc, char **argv);
+} commands[] = {{"unfold", command_unfold},
+                {"flatten", command_flatten},
+                {"simplify", command_simplify},
+                {"info", command_info},
+                {"verify", command_verify}};
+
+/* Words on standard output count only when they got there. */
+static exit_code flushed(exit_code code) {
+    if (fflush(stdout) == 0 && !ferror(stdout))
+        return code;
+    fputs("katagami: standard output cannot be written\n", stderr);
+    return code == EXIT_DONE ? EXIT_FAILED : code;
+}
+
+int main(int argc, char **argv) {
+    if (argc < 2) {
+        fputs(usage, stderr);
+        return EXIT_USAGE;
+    }
+    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0 ||
+        strcmp(argv[1], "help") == 0) {
+        fputs(usage, stdout);
+        return flushed(EXIT_DONE);
+    }
+    if (strcmp(argv[1], "--version") == 0) {
+        printf("katagami %s\n", ktg_version());
+        return flushed(EXIT_DONE);
+    }
+    for (size_t i = 0; i < sizeof commands / sizeof *commands; i++)
+        if (strcmp(argv[1], commands[i].name) == 0)
+            return flushed(commands[i].run(argc - 1, argv + 1));
+    fputs("katagami: there is no command '", stderr);
+    cli_print_safe(stderr, argv[1]);
+    fputs("'; see katagami --help\n", stderr);
+    return EXIT_USAGE;
+}

@@ -1,0 +1,416 @@
+/* cli/options.c - the table of options: one line each makes parsing and help. */
+#include "cli/cli.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <getopt.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PI      3.14159265358979323846
+#define PAPER   (CMD_UNFOLD | CMD_FLATTEN)
+#define EVERY   (PAPER | CMD_SIMPLIFY | CMD_INFO | CMD_VERIFY)
+#define LARGEST 1e9
+
+static bool parse_number(const char *text, double least, double most, double *number) {
+    char *end;
+    double value = strtod(text, &end);
+    if (end == text || *end || !(value >= least && value <= most))
+        return false;
+    *number = value;
+    return true;
+}
+
+static bool parse_count(const char *text, uint64_t least, uint64_t most, uint64_t *count) {
+    char *end;
+    errno = 0;
+    unsigned long long value = strtoull(text, &end, 10);
+    if (!isdigit((unsigned char)*text) || *end || errno || value < least || value > most)
+        return false;
+    *count = value;
+    return true;
+}
+
+static bool parse_count32(const char *text, uint32_t least, uint32_t *count) {
+    uint64_t value;
+    if (!parse_count(text, least, UINT32_MAX - 1, &value))
+        return false;
+    *count = (uint32_t)value;
+    return true;
+}
+
+bool cli_parse_length(const char *text, double *mm) {
+    static const struct {
+        const char *unit;
+        double mm;
+    } units[] = {{"", 1}, {"mm", 1}, {"cm", 10}, {"m", 1000}, {"in", 25.4}, {"\"", 25.4}};
+    char *end;
+    double value = strtod(text, &end);
+    if (end == text || !(value >= 0 && value <= LARGEST))
+        return false;
+    while (*end == ' ')
+        end++;
+    for (size_t i = 0; i < sizeof units / sizeof *units; i++) {
+        if (strcmp(end, units[i].unit) == 0) {
+            *mm = value * units[i].mm;
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The place of `text` in a list of words that ends with NULL; -1 when it is not there. */
+static int word_index(const char *text, const char *const *words) {
+    for (int i = 0; words[i]; i++)
+        if (strcmp(text, words[i]) == 0)
+            return i;
+    return -1;
+}
+
+static bool set_output(settings *s, const char *text) {
+    if (s->output_count == CLI_MOST_OUTPUTS)
+        return false;
+    s->outputs[s->output_count++] = text;
+    return true;
+}
+
+static bool set_faces(settings *s, const char *text) {
+    s->faces_given = true;
+    s->pipeline.faces = KTG_ALL_FACES;
+    return strcmp(text, "all") == 0 || parse_count32(text, 4, &s->pipeline.faces);
+}
+
+static bool set_size(settings *s, ktg_size_rule rule, const char *text) {
+    s->pipeline.size_rule = rule;
+    return cli_parse_length(text, &s->pipeline.size_mm) && s->pipeline.size_mm > 0;
+}
+
+static bool set_height(settings *s, const char *text) {
+    return set_size(s, KTG_SIZE_HEIGHT, text);
+}
+
+static bool set_width(settings *s, const char *text) {
+    return set_size(s, KTG_SIZE_WIDTH, text);
+}
+
+static bool set_length(settings *s, const char *text) {
+    return set_size(s, KTG_SIZE_LENGTH, text);
+}
+
+static bool set_scale(settings *s, const char *text) {
+    s->pipeline.size_rule = KTG_SIZE_FACTOR;
+    return parse_number(text, 1e-12, 1e12, &s->pipeline.size_mm);
+}
+
+static bool set_unit(settings *s, const char *text) {
+    static const char *const units[] = {"mm", "cm", "m", "in", NULL};
+    static const double mm[] = {1, 10, 1000, 25.4};
+    int unit = word_index(text, units);
+    s->pipeline.size_rule = KTG_SIZE_FACTOR;
+    s->pipeline.size_mm = unit >= 0 ? mm[unit] : 0;
+    return unit >= 0;
+}
+
+static bool set_up(settings *s, const char *text) {
+    static const char *const axes[] = {"x", "y", "z", NULL};
+    int axis = word_index(text, axes);
+    s->pipeline.up = axis >= 0 ? (ktg_axis)(KTG_AXIS_X + axis) : KTG_AXIS_AUTO;
+    return axis >= 0;
+}
+
+static bool set_paper(settings *s, const char *text) {
+    ktg_context *context = NULL;
+    if (ktg_context_new(&context) != KTG_OK)
+        return false;
+    ktg_status status = ktg_sheet_parse(context, text, &s->pipeline.layout.sheet);
+    if (status != KTG_OK)
+        fprintf(stderr, "katagami: %s\n", ktg_context_message(context));
+    ktg_context_free(&context);
+    return status == KTG_OK;
+}
+
+static bool set_landscape(settings *s, const char *text) {
+    (void)text;
+    ktg_sheet_format *sheet = &s->pipeline.layout.sheet;
+    if (sheet->width_mm < sheet->height_mm) {
+        double width = sheet->width_mm;
+        sheet->width_mm = sheet->height_mm;
+        sheet->height_mm = width;
+    }
+    return true;
+}
+
+static bool set_margin(settings *s, const char *text) {
+    return cli_parse_length(text, &s->pipeline.layout.sheet.margin_mm);
+}
+
+static bool set_gap(settings *s, const char *text) {
+    return cli_parse_length(text, &s->pipeline.layout.gap_mm);
+}
+
+static bool set_tabs(settings *s, const char *text) {
+    s->pipeline.finish.tab_height_mm = 0;
+    return strcmp(text, "none") == 0 ||
+           (cli_parse_length(text, &s->pipeline.finish.tab_height_mm) &&
+            s->pipeline.finish.tab_height_mm <= 100);
+}
+
+static bool set_tab_side(settings *s, const char *text) {
+    static const char *const sides[] = {"alternate", "smaller", "run", NULL};
+    int side = word_index(text, sides);
+    s->pipeline.finish.tab_side = side >= 0 ? (ktg_tab_side)side : KTG_TAB_ALTERNATE;
+    return side >= 0;
+}
+
+static bool set_number(settings *s, const char *text) {
+    static const char *const styles[] = {"seam", "edge", "none", NULL};
+    int style = word_index(text, styles);
+    s->pipeline.finish.numbers = style >= 0 ? (ktg_number_style)style : KTG_NUMBER_SEAM;
+    return style >= 0;
+}
+
+static bool set_folds(settings *s, const char *text) {
+    static const char *const styles[] = {"dashed", "solid", NULL};
+    int style = word_index(text, styles);
+    s->pipeline.render.folds = style >= 0 ? (ktg_fold_style)style : KTG_FOLDS_DASHED;
+    return style >= 0;
+}
+
+static bool set_flat(settings *s, const char *text) {
+    double degrees;
+    if (!parse_number(text, 0, 180, &degrees))
+        return false;
+    s->pipeline.render.flat_below = degrees * PI / 180;
+    return true;
+}
+
+static bool set_dpi(settings *s, const char *text) {
+    return parse_number(text, 10, 2400, &s->pipeline.render.dots_per_inch);
+}
+
+static bool set_black(settings *s, const char *text) {
+    (void)text;
+    s->pipeline.render.colour = false;
+    return true;
+}
+
+static bool set_allowance(settings *s, const char *text) {
+    return cli_parse_length(text, &s->pipeline.finish.allowance_mm) &&
+           s->pipeline.finish.allowance_mm <= 1000;
+}
+
+static bool set_weight(settings *s, const char *text) {
+    static const char *const weights[] = {"cotangent", "unit", NULL};
+    int weight = word_index(text, weights);
+    s->pipeline.flatten.weight = weight == 1 ? KTG_WEIGHT_UNIT : KTG_WEIGHT_COTANGENT;
+    return weight >= 0;
+}
+
+static bool set_method_unfold(settings *s, const char *text) {
+    (void)s;
+    return strcmp(text, "genetic") == 0;
+}
+
+static bool set_method_flatten(settings *s, const char *text) {
+    (void)s;
+    return strcmp(text, "two-step") == 0;
+}
+
+static bool set_population(settings *s, const char *text) {
+    return parse_count32(text, 4, &s->pipeline.unfold.population) &&
+           s->pipeline.unfold.population <= 100000;
+}
+
+static bool set_generations(settings *s, const char *text) {
+    return parse_count32(text, 0, &s->pipeline.unfold.generations);
+}
+
+static bool set_patience(settings *s, const char *text) {
+    return parse_count32(text, 1, &s->pipeline.unfold.patience);
+}
+
+static bool set_restarts(settings *s, const char *text) {
+    return parse_count32(text, 0, &s->pipeline.unfold.restarts);
+}
+
+static bool set_crossover(settings *s, const char *text) {
+    return parse_number(text, 0, 1, &s->pipeline.unfold.crossover_rate);
+}
+
+static bool set_mutation(settings *s, const char *text) {
+    return parse_number(text, 0, 1, &s->pipeline.unfold.mutation_rate);
+}
+
+static bool set_seed(settings *s, const char *text) {
+    return parse_count(text, 0, UINT64_MAX, &s->seed);
+}
+
+static bool set_time(settings *s, const char *text) {
+    return parse_number(text, 1e-3, 1e9, &s->pipeline.unfold.seconds);
+}
+
+static bool set_report(settings *s, const char *text) {
+    s->report = text;
+    return true;
+}
+
+static bool set_quiet(settings *s, const char *text) {
+    (void)text;
+    return s->quiet = true;
+}
+
+static bool set_help(settings *s, const char *text) {
+    (void)text;
+    return s->help = true;
+}
+
+typedef struct option_line {
+    const char *name;
+    char letter;
+    const char *value; /* what its value is called; NULL: it has none */
+    int commands;
+    bool (*apply)(settings *s, const char *text);
+    const char *help;
+} option_line;
+
+static const option_line lines[] = {
+    {"output", 'o', "FILE", PAPER | CMD_SIMPLIFY, set_output,
+     "what to write, by its ending; may be given several times"},
+    {"faces", 'f', "N|all", PAPER | CMD_SIMPLIFY, set_faces, "simplify to N faces"},
+    {"height", 0, "LENGTH", PAPER, set_height, "height of the finished model"},
+    {"width", 0, "LENGTH", PAPER, set_width, "its width"},
+    {"length", 0, "LENGTH", PAPER, set_length, "its length, the third direction"},
+    {"scale", 0, "FACTOR", PAPER, set_scale, "millimetres per unit of the model"},
+    {"unit", 0, "mm|cm|m|in", CMD_FLATTEN, set_unit, "the unit of the model file"},
+    {"up", 0, "x|y|z", PAPER | CMD_INFO, set_up, "which axis is height (STL: z, others: y)"},
+    {"paper", 'p', "FORMAT", PAPER, set_paper, "a4 ... a0, letter, legal, tabloid, WxH (a4)"},
+    {"landscape", 0, NULL, PAPER, set_landscape, "turn the sheet"},
+    {"margin", 0, "LENGTH", PAPER, set_margin, "left free on every side of a sheet (10mm)"},
+    {"gap", 0, "LENGTH", PAPER, set_gap, "between pieces (2mm)"},
+    {"tabs", 0, "LENGTH|none", CMD_UNFOLD, set_tabs, "height of the glue tabs (5mm)"},
+    {"tab-side", 0, "alternate|smaller|run", CMD_UNFOLD, set_tab_side,
+     "which side of a seam gets the tabs, where there is room (alternate)"},
+    {"number", 0, "seam|edge|none", CMD_UNFOLD, set_number, "what is numbered (seam)"},
+    {"folds", 0, "dashed|solid", CMD_UNFOLD, set_folds,
+     "mountain dashed, valley dash-dot; or mountain solid, valley dashed (dashed)"},
+    {"flat", 0, "DEGREES", CMD_UNFOLD, set_flat, "folds flatter than this are not drawn (1)"},
+    {"allowance", 0, "LENGTH", CMD_FLATTEN, set_allowance, "seam allowance (10mm)"},
+    {"weights", 0, "cotangent|unit", CMD_FLATTEN, set_weight, "weights of the edges (cotangent)"},
+    {"method", 0, "genetic", CMD_UNFOLD, set_method_unfold, "how patches are merged (genetic)"},
+    {"method", 0, "two-step", CMD_FLATTEN, set_method_flatten, "how to flatten (two-step)"},
+    {"population", 0, "N", CMD_UNFOLD, set_population, "chromosomes in a generation (32)"},
+    {"generations", 0, "N", CMD_UNFOLD, set_generations, "at most this many (2000)"},
+    {"patience", 0, "N", CMD_UNFOLD, set_patience, "stop after N generations without gain (30)"},
+    {"crossover", 0, "RATE", CMD_UNFOLD, set_crossover, "crossover rate (0.8)"},
+    {"mutation", 0, "RATE", CMD_UNFOLD, set_mutation, "mutation rate (0.1)"},
+    {"restarts", 0, "N", CMD_UNFOLD, set_restarts,
+     "fresh starts while there is more than one piece (20)"},
+    {"seed", 0, "N", CMD_UNFOLD, set_seed, "another seed gives another net (1)"},
+    {"time", 0, "SECONDS", CMD_UNFOLD, set_time, "stop searching after that time"},
+    {"black", 0, NULL, PAPER, set_black, "no colours"},
+    {"dpi", 0, "N", PAPER, set_dpi, "resolution of PNG pictures (150)"},
+    {"report", 0, "FILE.json", PAPER, set_report, "write the figures of the run"},
+    {"quiet", 'q', NULL, EVERY, set_quiet, "say nothing but errors"},
+    {"help", 'h', NULL, EVERY, set_help, "show this"},
+};
+
+enum { LINE_COUNT = sizeof lines / sizeof *lines };
+
+void cli_print_options(FILE *stream, int command) {
+    for (int i = 0; i < LINE_COUNT; i++) {
+        if (!(lines[i].commands & command))
+            continue;
+        char left[64];
+        const char *value = lines[i].value ? lines[i].value : "";
+        char letter[8] = "    ";
+        if (lines[i].letter)
+            snprintf(letter, sizeof letter, "-%c, ", lines[i].letter);
+        snprintf(left, sizeof left, "%s--%s %s", letter, lines[i].name, value);
+        if (strlen(left) > 30)
+            fprintf(stream, "  %s\n  %-30s  %s\n", left, "", lines[i].help);
+        else
+            fprintf(stream, "  %-30s  %s\n", left, lines[i].help);
+    }
+}
+
+/* getopt's tables for one command; code 256 + i stands for line i. */
+static void make_tables(int command, struct option *longs, char *shorts) {
+    size_t length = 0;
+    shorts[length++] = ':';
+    for (int i = 0; i < LINE_COUNT; i++) {
+        if (!(lines[i].commands & command))
+            continue;
+        *longs++ = (struct option){lines[i].name, lines[i].value ? required_argument : no_argument,
+                                   NULL, 256 + i};
+        if (lines[i].letter) {
+            shorts[length++] = lines[i].letter;
+            if (lines[i].value)
+                shorts[length++] = ':';
+        }
+    }
+    *longs = (struct option){0};
+    shorts[length] = 0;
+}
+
+static const option_line *line_of(int code, int command) {
+    if (code >= 256)
+        return &lines[code - 256];
+    for (int i = 0; i < LINE_COUNT; i++)
+        if (lines[i].letter == code && (lines[i].commands & command))
+            return &lines[i];
+    return NULL;
+}
+
+static bool refuse(const char *command, const char *what, const char *text) {
+    fprintf(stderr, "katagami %s: %s", command, what);
+    cli_print_safe(stderr, text);
+    fprintf(stderr, "; see katagami %s --help\n", command);
+    return false;
+}
+
+static bool apply_line(const option_line *line, settings *s, const char *command) {
+    if (line->apply(s, optarg))
+        return true;
+    fprintf(stderr, "katagami %s: --%s wants %s, not '", command, line->name, line->value);
+    cli_print_safe(stderr, optarg);
+    fprintf(stderr, "'\n");
+    return false;
+}
+
+/* The format is read before --landscape turns it, wherever the two stand. */
+static bool run_options(int argc, char **argv, int command, bool landscape_pass, settings *s) {
+    struct option longs[LINE_COUNT + 1];
+    char shorts[2 * LINE_COUNT + 2];
+    make_tables(command, longs, shorts);
+    optind = 0;
+    int code;
+    while ((code = getopt_long(argc, argv, shorts, longs, NULL)) != -1) {
+        if (code == '?')
+            return refuse(argv[0], "does not know ", argv[optind - 1]);
+        if (code == ':')
+            return refuse(argv[0], "a value is missing after ", argv[optind - 1]);
+        const option_line *line = line_of(code, command);
+        if ((line->apply == set_landscape) == landscape_pass && !apply_line(line, s, argv[0]))
+            return false;
+    }
+    return true;
+}
+
+bool cli_read_options(int argc, char **argv, int command, int least_arguments, int most_arguments,
+                      settings *s) {
+    *s = (settings){.seed = 1};
+    ktg_pipeline_defaults(&s->pipeline);
+    if (!run_options(argc, argv, command, false, s) || !run_options(argc, argv, command, true, s))
+        return false;
+    if (s->help)
+        return true;
+    s->argument_count = argc - optind;
+    if (s->argument_count < least_arguments)
+        return refuse(argv[0], "a file is missing", "");
+    if (s->argument_count > most_arguments)
+        return refuse(argv[0], "one file too many: ", argv[optind + most_arguments]);
+    for (int i = 0; i < s->argument_count; i++)
+        s->arguments[i] = argv[optind + i];
+    return true;
+}

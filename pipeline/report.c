@@ -1,0 +1,73 @@
+/* pipeline/report.c - the figures of a run as JSON. */
+#include "core/memory.h"
+#include "pipeline/pipeline.h"
+
+static ktg_status put_number(ktg_context *context, ktg_output *output, const char *key,
+                             double value) {
+    return ktg_output_print(context, output, ",\n  \"%s\": %.15g", key, value);
+}
+
+static ktg_status put_text(ktg_context *context, ktg_output *output, const char *key,
+                           const char *text) {
+    return ktg_output_print(context, output, ",\n  \"%s\": \"%s\"", key, text);
+}
+
+typedef struct figure {
+    const char *key;
+    double value;
+} figure;
+
+static ktg_status put_figures(ktg_context *context, ktg_output *output, const figure *figures,
+                              size_t count) {
+    for (size_t i = 0; i < count; i++)
+        KTG_TRY(put_number(context, output, figures[i].key, figures[i].value));
+    return KTG_OK;
+}
+
+static ktg_status put_paper(ktg_context *context, ktg_output *output,
+                            const ktg_pipeline_report *r) {
+    const figure figures[] = {{"strips", r->unfold.strips},
+                              {"generations", r->unfold.generations},
+                              {"evaluations", (double)r->unfold.evaluations},
+                              {"restarts", r->unfold.restarts}};
+    return put_figures(context, output, figures, sizeof figures / sizeof *figures);
+}
+
+static ktg_status put_cloth(ktg_context *context, ktg_output *output,
+                            const ktg_pipeline_report *r) {
+    const figure figures[] = {{"arap_energy", r->flatten.arap_energy},
+                              {"strain_mean", r->flatten.strain_mean},
+                              {"strain_p95", r->flatten.strain_p95},
+                              {"strain_max", r->flatten.strain_max},
+                              {"border_error", r->flatten.border_error}};
+    return put_figures(context, output, figures, sizeof figures / sizeof *figures);
+}
+
+ktg_status ktg_pipeline_write_report(ktg_context *context, const ktg_pipeline_options *options,
+                                     const ktg_pipeline_report *r, ktg_output *output) {
+    const figure figures[] = {{"faces_model", r->model.faces},
+                              {"faces", r->faces},
+                              {"pieces", r->pieces},
+                              {"components", r->components},
+                              {"self_intersections", r->self_intersections},
+                              {"seams", r->finish.seams},
+                              {"seam_edges", r->finish.seam_edges},
+                              {"tabs_full", r->finish.tabs_full},
+                              {"tabs_reduced", r->finish.tabs_reduced},
+                              {"tabs_none", r->finish.tabs_none},
+                              {"sheets", r->layout.sheets},
+                              {"mm_per_unit", r->mm_per_unit},
+                              {"width_mm", r->size_mm.x},
+                              {"height_mm", r->size_mm.y},
+                              {"length_mm", r->size_mm.z},
+                              {"fill", r->layout.fill},
+                              {"seed", (double)ktg_context_seed(context)},
+                              {"seconds", r->seconds},
+                              {"seconds_unfold", r->seconds_unfold}};
+    bool paper = options->mode == KTG_PAPER;
+    KTG_TRY(ktg_output_print(context, output, "{\n  \"mode\": \"%s\"", paper ? "paper" : "cloth"));
+    KTG_TRY(put_figures(context, output, figures, sizeof figures / sizeof *figures));
+    KTG_TRY(paper ? put_paper(context, output, r) : put_cloth(context, output, r));
+    KTG_TRY(put_text(context, output, "stopped_by", ktg_stopped_by_name(r->unfold.stopped_by)));
+    return ktg_output_print(context, output, "\n}\n");
+}

@@ -1,0 +1,154 @@
+/* pipeline/run.c - the whole job, stage by stage. */
+#include "core/clock.h"
+#include "core/memory.h"
+#include "core/vec.h"
+#include "pipeline/outputs.h"
+#include "pipeline/size.h"
+
+#include <string.h>
+
+static const char *base_name(const char *path) {
+    const char *slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
+/* The file's name without folder and ending; "model" where nothing is left. Free with ktg_free. */
+static char *title_of(ktg_context *context, const char *path) {
+    const char *name = base_name(path), *dot = strrchr(name, '.');
+    size_t length = dot && dot > name ? (size_t)(dot - name) : strlen(name);
+    if (length == 0 || strcmp(path, "-") == 0)
+        return ktg_copy_text(context, "model", SIZE_MAX);
+    return ktg_copy_text(context, name, length);
+}
+
+static void tell_repair(ktg_context *context, const ktg_repair_report *r) {
+    const struct {
+        uint32_t count;
+        const char *what;
+    } done[] = {{r->duplicate_faces_removed, "duplicate faces removed"},
+                {r->degenerate_faces_removed, "degenerate faces removed"},
+                {r->unreferenced_vertices_removed, "unused vertices removed"},
+                {r->vertices_welded, "vertices welded along open seams"},
+                {r->faces_turned, "faces turned the right way round"},
+                {r->nonmanifold_edges_split, "edges with more than two faces split"},
+                {r->nonmanifold_vertices_split, "vertices where sheets touch split"},
+                {r->seams_opened, "edges cut because the surface has only one side"}};
+    for (size_t i = 0; i < sizeof done / sizeof *done; i++)
+        if (done[i].count > 0)
+            ktg_log(context, KTG_LOG_NOTE, "repaired: %u %s", done[i].count, done[i].what);
+}
+
+static ktg_status simplify(ktg_context *context, const ktg_pipeline_options *options,
+                           ktg_mesh *mesh, ktg_pipeline_report *report) {
+    report->simplify.faces_before = report->simplify.faces_after = mesh->face_count;
+    report->simplify.target_reached = true;
+    if (options->faces == KTG_ALL_FACES || mesh->face_count <= options->faces)
+        return KTG_OK;
+    ktg_progress(context, "simplify", 0, NULL);
+    KTG_TRY(ktg_mesh_simplify(context, mesh, options->faces, &report->simplify));
+    ktg_log(context, KTG_LOG_NOTE, "simplified from %u to %u faces", report->simplify.faces_before,
+            report->simplify.faces_after);
+    if (!report->simplify.target_reached)
+        ktg_log(context, KTG_LOG_WARNING,
+                "fewer than %u faces would change the model's topology or fold it",
+                report->simplify.faces_after);
+    return KTG_OK;
+}
+
+static ktg_status load(ktg_context *context, const ktg_pipeline_options *options, ktg_mesh **mesh,
+                       ktg_pipeline_report *report) {
+    ktg_progress(context, "read", 0, options->model);
+    KTG_TRY(ktg_mesh_read(context, options->model, options->model_format, mesh));
+    KTG_TRY(ktg_mesh_check(context, *mesh, false, &report->model));
+    ktg_progress(context, "repair", 0, NULL);
+    ktg_status status = ktg_mesh_repair(context, *mesh, &report->repair);
+    if (status == KTG_GEOMETRY) { /* the message does not know the file */
+        char *reason = ktg_copy_text(context, ktg_context_message(context), SIZE_MAX);
+        if (!reason)
+            return KTG_MEMORY;
+        (void)ktg_fail(context, status, "%s: %s", options->model, reason);
+        ktg_free(reason);
+    }
+    KTG_TRY(status);
+    tell_repair(context, &report->repair);
+    KTG_TRY(simplify(context, options, *mesh, report));
+    ktg_mesh_report surface;
+    KTG_TRY(ktg_mesh_check(context, *mesh, true, &surface));
+    report->self_intersections = surface.self_intersections;
+    if (surface.self_intersections > 0)
+        ktg_log(context, KTG_LOG_WARNING,
+                "%u pairs of faces pass through each other; the paper will have to do so too",
+                surface.self_intersections);
+    return KTG_OK;
+}
+
+static ktg_status make_pieces(ktg_context *context, const ktg_pipeline_options *options,
+                              const ktg_mesh *mesh, const char *title, ktg_pattern **pattern,
+                              ktg_pipeline_report *report) {
+    double start = ktg_clock_seconds();
+    if (options->mode == KTG_PAPER) {
+        ktg_progress(context, "unfold", 0, NULL);
+        KTG_TRY(ktg_unfold(context, mesh, title, &options->unfold, pattern, &report->unfold));
+    } else {
+        ktg_progress(context, "flatten", 0, NULL);
+        KTG_TRY(ktg_flatten(context, mesh, title, &options->flatten, pattern, &report->flatten));
+    }
+    report->seconds_unfold = ktg_clock_seconds() - start;
+    ktg_pattern *p = *pattern;
+    ktg_free(p->model_file);
+    p->model_file = ktg_copy_text(context, base_name(options->model), SIZE_MAX);
+    p->model_faces = report->model.faces;
+    p->simplified = report->simplify.faces_after != report->simplify.faces_before;
+    return p->model_file ? KTG_OK : KTG_MEMORY;
+}
+
+static ktg_status put_on_sheets(ktg_context *context, const ktg_pipeline_options *options,
+                                ktg_pattern *pattern, ktg_pipeline_report *report) {
+    double mm_per_unit = 0;
+    ktg_progress(context, "sheets", 0, NULL);
+    KTG_TRY(ktg_size_scale(context, options, pattern, &mm_per_unit));
+    KTG_TRY(ktg_check_cancel(context));
+    KTG_TRY(ktg_pattern_scale(context, pattern, mm_per_unit));
+    KTG_TRY(ktg_pattern_finish(context, pattern, &options->finish, &report->finish));
+    KTG_TRY(ktg_layout_place(context, pattern, &options->layout, &report->layout));
+    report->faces = pattern->face_count;
+    report->pieces = (uint32_t)pattern->piece_count;
+    report->components = (uint32_t)pattern->component_count;
+    report->mm_per_unit = pattern->mm_per_unit;
+    report->up = ktg_size_up(options);
+    report->size_mm = ktg_size_of(pattern, report->up);
+    return KTG_OK;
+}
+
+static ktg_status run(ktg_context *context, const ktg_pipeline_options *options, ktg_mesh **mesh,
+                      ktg_pattern **pattern, char **title, ktg_pipeline_report *report) {
+    KTG_TRY(ktg_outputs_check(context, options));
+    KTG_TRY(ktg_size_check(context, options));
+    *title = title_of(context, options->model);
+    if (!*title)
+        return KTG_MEMORY;
+    KTG_TRY(load(context, options, mesh, report));
+    KTG_TRY(make_pieces(context, options, *mesh, *title, pattern, report));
+    KTG_TRY(put_on_sheets(context, options, *pattern, report));
+    ktg_pipeline_options with_title = *options;
+    if (!with_title.render.title)
+        with_title.render.title = *title;
+    return ktg_outputs_write(context, &with_title, *pattern);
+}
+
+ktg_status ktg_pipeline_run(ktg_context *context, const ktg_pipeline_options *options,
+                            ktg_pipeline_report *report) {
+    double start = ktg_clock_seconds();
+    ktg_pipeline_report own = {0};
+    ktg_mesh *mesh = NULL;
+    ktg_pattern *pattern = NULL;
+    char *title = NULL;
+    ktg_status status = run(context, options, &mesh, &pattern, &title, &own);
+    own.seconds = ktg_clock_seconds() - start;
+    if (report)
+        *report = own;
+    ktg_mesh_free(&mesh);
+    ktg_pattern_free(&pattern);
+    ktg_free(title);
+    return status;
+}

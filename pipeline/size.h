@@ -1,0 +1,20 @@
+/* pipeline/size.h - how large the finished model becomes (pipeline only). */
+#ifndef KTG_PIPELINE_SIZE_H
+#define KTG_PIPELINE_SIZE_H
+
+#include "pipeline/pipeline.h"
+
+/* The axis that is height: as asked, else z for STL files and y for all others. */
+ktg_axis ktg_size_up(const ktg_pipeline_options *options);
+
+/* Width, height (along up) and length of the pattern's surface, in its present unit. */
+ktg_vec3 ktg_size_of(const ktg_pattern *pattern, ktg_axis up);
+
+/* KTG_ARGUMENT when the wished size makes no sense. */
+KTG_NODISCARD ktg_status ktg_size_check(ktg_context *context, const ktg_pipeline_options *options);
+
+/* Millimetres per unit of the model for a pattern without scale. */
+KTG_NODISCARD ktg_status ktg_size_scale(ktg_context *context, const ktg_pipeline_options *options,
+                                        const ktg_pattern *pattern, double *mm_per_unit);
+
+#endif
