@@ -2,19 +2,12 @@
  *
  * Igarashi & Igarashi 2009, section 7. */
 #include "flatten/flatten.h"
+#include "core/clock.h"
 #include "core/memory.h"
 #include "flatten/kernel.h"
 
-#include <time.h>
-
 void ktg_flatten_defaults(ktg_flatten_options *options) {
     *options = (ktg_flatten_options){.weight = KTG_WEIGHT_COTANGENT};
-}
-
-static double seconds_now(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
 }
 
 /* One edge in the middle is pinned where its neighbourhood was laid, from the origin along x: both
@@ -53,7 +46,8 @@ static ktg_status refuse_flipped(ktg_context *context, const ktg_flatten_report 
         return KTG_OK;
     return ktg_fail(context, KTG_GEOMETRY,
                     "%u of %u faces (the first is face %u) fold over when the panel is laid flat: "
-                    "it is too curved for one piece; cut it into flatter panels by seams first",
+                    "it is too curved for one piece, or has needle-thin faces; cut it into flatter "
+                    "panels by seams, or remesh it, first",
                     report->flipped_faces, report->faces, first_flipped + 1);
 }
 
@@ -92,7 +86,7 @@ static ktg_status flatten(ktg_context *context, const ktg_mesh *mesh, const char
 ktg_status ktg_flatten(ktg_context *context, const ktg_mesh *mesh, const char *name,
                        const ktg_flatten_options *options, ktg_pattern **pattern,
                        ktg_flatten_report *report) {
-    double start = seconds_now();
+    double start = ktg_clock_seconds();
     ktg_flatten_options defaults;
     ktg_flatten_report measured = {0};
     flatten_work work = {0};
@@ -103,7 +97,7 @@ ktg_status ktg_flatten(ktg_context *context, const ktg_mesh *mesh, const char *n
     ktg_panel_free(&work.panel);
     ktg_free(work.flat);
     ktg_free(work.face_strain);
-    measured.seconds = seconds_now() - start;
+    measured.seconds = ktg_clock_seconds() - start;
     if (report)
         *report = measured;
     return status;
