@@ -10,11 +10,24 @@ static bool same_mesh(const ktg_mesh *a, const ktg_mesh *b) {
            memcmp(a->positions, b->positions, a->vertex_count * sizeof *a->positions) == 0;
 }
 
-static ktg_status run(ktg_repair *repair) {
+/* Where a seam is opened, a side that was left over at the same edge may find a partner after all;
+ * where an edge is cut in the middle, the new vertex may meet another. So often this is tried. */
+enum { MOST_ROUNDS = 8 };
+
+static ktg_status run_once(ktg_repair *repair) {
     KTG_TRY(ktg_repair_clean(repair));
     KTG_TRY(ktg_repair_join(repair));
     KTG_TRY(ktg_repair_orient(repair));
     return ktg_repair_fans(repair);
+}
+
+static ktg_status run(ktg_repair *repair) {
+    repair->unsettled = true;
+    for (int round = 0; repair->unsettled && round < MOST_ROUNDS; round++) {
+        repair->unsettled = false;
+        KTG_TRY(run_once(repair));
+    }
+    return KTG_OK;
 }
 
 ktg_status ktg_mesh_repair(ktg_context *context, ktg_mesh *mesh, ktg_repair_report *report) {

@@ -13,6 +13,7 @@ typedef struct ktg_repair {
     ktg_mesh *mesh; /* a copy of the caller's, owned */
     uint32_t *weld; /* vertex_count: the lowest vertex at the same position */
     uint32_t *mate; /* 3 face_count: the half-edge joined to each, KTG_NONE at a border */
+    bool unsettled; /* a step undid or added something that earlier steps should see */
     ktg_repair_report report;
 } ktg_repair;
 

@@ -120,6 +120,7 @@ static ktg_status cut_edge(ktg_repair *repair, fans_work *w, uint32_t h) {
     ktg_mesh *mesh = repair->mesh;
     uint32_t g = repair->mate[h], added = mesh->face_count, m = mesh->vertex_count;
     uint32_t sides = g == KTG_NONE ? 1 : 2;
+    repair->unsettled = true;
     size_t capacity = 3 * (size_t)added, same = capacity, needed = capacity + 3 * (size_t)sides;
     KTG_TRY(ktg_reserve(repair->context, &repair->mate, &capacity, needed));
     KTG_TRY(ktg_reserve(repair->context, &w->before, &same, needed));

@@ -196,6 +196,7 @@ ktg_status ktg_repair_join(ktg_repair *repair) {
     size_t halfedges = 3 * (size_t)repair->mesh->face_count;
     ktg_adjacency *adjacency = NULL;
     uint32_t *sheet = ktg_new(repair->context, repair->mesh->face_count, uint32_t);
+    ktg_free(repair->mate);
     repair->mate = ktg_new(repair->context, halfedges, uint32_t);
     ktg_status status = sheet && repair->mate ? KTG_OK : KTG_MEMORY;
     if (status == KTG_OK) {

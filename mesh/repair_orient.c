@@ -32,6 +32,7 @@ static bool was_edge(const ktg_mesh *mesh, uint32_t h, uint32_t g) {
 
 static void cut_join(ktg_repair *repair, uint32_t h, uint32_t g) {
     repair->mate[h] = repair->mate[g] = KTG_NONE;
+    repair->unsettled = true;
     repair->report.seams_opened += was_edge(repair->mesh, h, g);
 }
 
