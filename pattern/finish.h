@@ -1,0 +1,40 @@
+/* pattern/finish.h - the steps of ktg_pattern_finish (pattern only). Each replaces what an earlier
+ * run of it left in the pattern. */
+#ifndef KTG_PATTERN_FINISH_H
+#define KTG_PATTERN_FINISH_H
+
+#include "pattern/topology.h"
+
+/* Seams and the edges' seam numbers (seams.c). */
+KTG_NODISCARD ktg_status ktg_seams_find(ktg_context *context, const ktg_topology *topology,
+                                        ktg_pattern *pattern);
+
+/* Outlines of faces and tabs (outline.c). */
+KTG_NODISCARD ktg_status ktg_outlines_with_tabs(ktg_context *context, const ktg_topology *topology,
+                                                ktg_pattern *pattern);
+
+/* Outlines with seam allowance, sewing and grain lines; takes tabs away (allowance.c). */
+KTG_NODISCARD ktg_status ktg_outlines_with_allowance(ktg_context *context,
+                                                     const ktg_topology *topology,
+                                                     double allowance_mm, ktg_pattern *pattern);
+
+/* The outer boundary of the region within `distance` of a polygon, with mitred corners (offset.c):
+ * a simple, counter-clockwise polygon in *outline (allocated). The polygon is counter-clockwise,
+ * weakly simple and has at least 3 corners. KTG_GEOMETRY when it is so bent that none is found. */
+KTG_NODISCARD ktg_status ktg_offset_outward(ktg_context *context, const ktg_vec2 *polygon,
+                                            size_t count, double distance, ktg_vec2 **outline,
+                                            size_t *outline_count);
+
+/* Numbers of seams or edges, and names of pieces (labels.c). */
+KTG_NODISCARD ktg_status ktg_labels_write(ktg_context *context, const ktg_topology *topology,
+                                          const ktg_finish_options *options, ktg_pattern *pattern);
+
+/* The shape a pattern needs on paper: tabs or allowance, then outlines. */
+KTG_NODISCARD ktg_status ktg_finish_shapes(ktg_context *context, const ktg_topology *topology,
+                                           const ktg_finish_options *options, ktg_pattern *pattern,
+                                           ktg_finish_report *report);
+
+/* KTG_ARGUMENT for options that make no sense. */
+KTG_NODISCARD ktg_status ktg_finish_check(ktg_context *context, const ktg_finish_options *options);
+
+#endif
