@@ -18,9 +18,11 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Vertex = CGAL::Triangulation_vertex_base_with_info_2<uint32_t, Kernel>;
-/* The flag of a face: seen to be inside. */
+struct Mark {
+    bool inside = false;
+};
 using Face =
-    CGAL::Triangulation_face_base_with_info_2<bool, Kernel,
+    CGAL::Triangulation_face_base_with_info_2<Mark, Kernel,
                                               CGAL::Constrained_triangulation_face_base_2<Kernel>>;
 using Data = CGAL::Triangulation_data_structure_2<Vertex, Face>;
 using Cdt = CGAL::Constrained_Delaunay_triangulation_2<
@@ -46,9 +48,8 @@ bool insert_corners(Cdt &cdt, std::vector<Kernel::Point_2> &points,
 
 /* Makes the outline's edges edges of the triangulation. False when one crosses another or passes
  * through a corner. In random order, since earlier edges then shield later ones from crossing many
- * triangles (Shewchuk & Brown 2015, "Fast segment insertion and
- * incremental construction of constrained Delaunay triangulations"): walked in sequence, a
- * slanted comb takes quadratic time. */
+ * triangles (Shewchuk & Brown 2015, "Fast segment insertion and incremental construction of
+ * constrained Delaunay triangulations"): in sequence a slanted comb takes quadratic time. */
 bool insert_outline(Cdt &cdt, const std::vector<Cdt::Vertex_handle> &handles) {
     std::size_t count = handles.size();
     std::vector<std::size_t> order(count);
@@ -80,7 +81,7 @@ bool collect_inside(const Cdt &cdt, const std::vector<Cdt::Vertex_handle> &handl
     if (face->vertex(Cdt::ccw(opposite)) != handles[0])
         face = face->neighbor(opposite);
     std::vector<Cdt::Face_handle> open{face};
-    face->info() = true;
+    face->info().inside = true;
     for (; !open.empty(); found++) {
         face = open.back();
         open.pop_back();
@@ -89,9 +90,9 @@ bool collect_inside(const Cdt &cdt, const std::vector<Cdt::Vertex_handle> &handl
         for (int k = 0; k < 3; k++) {
             triangles[3 * found + k] = face->vertex(k)->info();
             Cdt::Face_handle next = face->neighbor(k);
-            if (face->is_constrained(k) || next->info())
+            if (face->is_constrained(k) || next->info().inside)
                 continue;
-            next->info() = true;
+            next->info().inside = true;
             open.push_back(next);
         }
     }
