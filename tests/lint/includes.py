@@ -1,0 +1,66 @@
+#!/usr/bin/env python3
+"""The include table of docs/architecture.md: which room may include what.
+
+usage: includes.py ROOT
+"""
+import pathlib
+import re
+import sys
+
+ROOMS = {
+    "core": set(),
+    "mesh": {"core"},
+    "pattern": {"core"},
+    "unfold": {"core", "mesh", "pattern"},
+    "flatten": {"core", "mesh", "pattern"},
+    "layout": {"core", "pattern"},
+    "render": {"core", "pattern", "layout"},
+    "verify": {"core", "mesh", "pattern"},
+    "pipeline": {"core", "mesh", "pattern", "unfold", "flatten", "layout", "render", "verify"},
+    "cli": {"core", "mesh", "pattern", "unfold", "flatten", "layout", "render", "verify", "pipeline"},
+}
+# core's toolbox: shared between rooms beside its public header
+TOOLBOX = {"core/" + name for name in
+           ("clock.h", "file.h", "guard.hpp", "memory.h", "predicate.h", "random.h", "sparse.h", "vec.h")}
+LIBRARIES = {"cairo": {"render"}, "CGAL": {"core", "mesh"}, "OpenMesh": {"mesh"},
+             "suitesparse": {"core"}, "jansson": {"pattern"}}
+
+
+def check_file(path, room, complaints):
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        match = re.match(r'\s*#\s*include\s*([<"])([^>"]+)[>"]', line)
+        if not match:
+            continue
+        where, what = f"{path}:{number}", match.group(2)
+        if match.group(1) == "<":
+            for library, users in LIBRARIES.items():
+                if what.split("/")[0].split(".")[0] == library and room not in users:
+                    complaints.append(f"{where}: {room}/ must not use {library}")
+                if library in ("CGAL", "OpenMesh") and what.startswith(library) and path.suffix == ".c":
+                    complaints.append(f"{where}: {library} belongs into an adapter")
+            continue
+        if ".." in what or "/" not in what:
+            complaints.append(f"{where}: write includes from the root: {what}")
+            continue
+        target = what.split("/")[0]
+        if target == room:
+            continue
+        if target not in ROOMS[room]:
+            complaints.append(f"{where}: {room}/ must not include {target}/")
+        elif what != f"{target}/{target}.h" and what not in TOOLBOX:
+            complaints.append(f"{where}: {what} is private to {target}/")
+
+
+def main():
+    root = pathlib.Path(sys.argv[1])
+    complaints, count = [], 0
+    for room in ROOMS:
+        for path in sorted((root / room).iterdir()):
+            if path.suffix in (".c", ".h", ".cpp", ".hpp"):
+                check_file(path, room, complaints)
+                count += 1
+    print("\n".join(complaints) or f"{count} files keep the include table")
+    return 1 if complaints or not count else 0
+
+
+sys.exit(main())
