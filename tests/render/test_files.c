@@ -1,0 +1,320 @@
+/* The files: PDF, SVG, PNG, and what can go wrong. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+
+#include "tests/render/strip.h"
+
+#include <cmocka.h>
+
+static int make_context(void **state) {
+    return ktg_context_new((ktg_context **)state);
+}
+
+static int drop_context(void **state) {
+    ktg_context_free((ktg_context **)state);
+    return *state != NULL;
+}
+
+static ktg_pattern *two_on_a4(ktg_context *context) {
+    return make_strips(context, 2, 210, 297, 10, 40, 200);
+}
+
+static size_t count_text(const char *bytes, size_t size, const char *text) {
+    size_t count = 0, length = strlen(text);
+    for (const char *at = bytes; (at = memmem(at, size - (size_t)(at - bytes), text, length)); at++)
+        count++;
+    return count;
+}
+
+static size_t count_pages(const char *bytes, size_t size) {
+    return count_text(bytes, size, "/Type /Page") - count_text(bytes, size, "/Type /Pages");
+}
+
+static bool installed(const char *program) {
+    char command[100];
+    snprintf(command, sizeof command, "command -v %s >/dev/null 2>&1", program);
+    return system(command) == 0;
+}
+
+/* What `program` (with options, "%s" for the file) prints about a PDF of these bytes. */
+static char *tell(const char *program, const char *bytes, size_t size) {
+    char path[] = "/tmp/ktg-pdf-XXXXXX", command[200];
+    char *text = calloc(1, 100000);
+    FILE *file = fdopen(mkstemp(path), "wb");
+    assert_int_equal(fwrite(bytes, 1, size, file), size);
+    fclose(file);
+    snprintf(command, sizeof command, program, path);
+    FILE *pipe = popen(command, "r");
+    assert_non_null(pipe);
+    assert_true(fread(text, 1, 99999, pipe) > 0);
+    assert_int_equal(pclose(pipe), 0);
+    unlink(path);
+    return text;
+}
+
+static void a_pdf_has_a_page_per_sheet(void **state) {
+    ktg_context *context = *state;
+    ktg_pattern *pattern = two_on_a4(context);
+    char *bytes;
+    size_t size;
+    assert_int_equal(render_bytes(context, pattern, "pdf", 0, NULL, &bytes, &size), KTG_OK);
+    assert_memory_equal(bytes, "%PDF-", 5);
+    assert_int_equal(count_pages(bytes, size), 2);
+    assert_int_equal(count_text(bytes, size, "/Image"), 0); /* all of it is vectors */
+    ktg_free(bytes);
+    ktg_pattern_free(&pattern);
+}
+
+static void the_text_of_a_pdf_can_be_searched(void **state) {
+    static const char *const words[] = {"strip",
+                                        "sheet 1 of 2",
+                                        "sheet 2 of 2",
+                                        "12.5 mm per unit",
+                                        "120 \xc3\x97 40 \xc3\x97 10 mm",
+                                        "print at 100 %",
+                                        "mountain fold",
+                                        "valley fold",
+                                        "glue tab",
+                                        "100 mm",
+                                        "4 in",
+                                        "127",
+                                        "66.",
+                                        "W\xc3\xbcrfel"};
+    ktg_context *context = *state;
+    if (!installed("pdftotext"))
+        skip();
+    ktg_pattern *pattern = two_on_a4(context);
+    char *bytes;
+    size_t size;
+    assert_int_equal(render_bytes(context, pattern, "pdf", 0, NULL, &bytes, &size), KTG_OK);
+    char *text = tell("pdftotext -layout %s -", bytes, size);
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (!strstr(text, words[i]))
+            fail_msg("%s is not in the text", words[i]);
+    free(text);
+    ktg_free(bytes);
+    ktg_pattern_free(&pattern);
+}
+
+static void the_fonts_of_a_pdf_are_embedded(void **state) {
+    ktg_context *context = *state;
+    if (!installed("pdffonts"))
+        skip();
+    ktg_pattern *pattern = two_on_a4(context);
+    char *bytes;
+    size_t size, fonts = 0;
+    assert_int_equal(render_bytes(context, pattern, "pdf", 0, NULL, &bytes, &size), KTG_OK);
+    char *text = tell("pdffonts %s", bytes, size), *line = strchr(text, '\n');
+    line = strchr(line + 1, '\n'); /* below the heading and its rule */
+    for (line = strtok(line, "\n"); line; line = strtok(NULL, "\n"), fonts++)
+        assert_non_null(strstr(line, "yes yes yes")); /* embedded, a subset, with its characters */
+    assert_true(fonts >= 2);
+    free(text);
+    ktg_free(bytes);
+    ktg_pattern_free(&pattern);
+}
+
+static void a_pdf_says_what_it_is(void **state) {
+    ktg_context *context = *state;
+    if (!installed("pdfinfo"))
+        skip();
+    ktg_pattern *pattern = two_on_a4(context);
+    char *bytes;
+    size_t size;
+    assert_int_equal(render_bytes(context, pattern, "pdf", 0, NULL, &bytes, &size), KTG_OK);
+    char *text = tell("pdfinfo %s", bytes, size);
+    assert_non_null(strstr(text, "Creator:         Katagami "));
+    assert_non_null(strstr(text, "Title:           strip\n"));
+    assert_non_null(strstr(text, "(A4)"));
+    free(text);
+    ktg_free(bytes);
+    ktg_pattern_free(&pattern);
+}
+
+static void the_same_pattern_gives_the_same_bytes(void **state) {
+    static const char *const kinds[] = {"pdf", "svg", "png"};
+    ktg_context *context = *state;
+    ktg_pattern *pattern = two_on_a4(context);
+    for (size_t k = 0; k < 3; k++) {
+        char *first, *second;
+        size_t first_size, second_size;
+        assert_int_equal(render_bytes(context, pattern, kinds[k], 1, NULL, &first, &first_size),
+                         KTG_OK);
+        assert_int_equal(render_bytes(context, pattern, kinds[k], 1, NULL, &second, &second_size),
+                         KTG_OK);
+        assert_int_equal(first_size, second_size);
+        assert_memory_equal(first, second, first_size);
+        ktg_free(first);
+        ktg_free(second);
+    }
+    ktg_pattern_free(&pattern);
+}
+
+static void an_svg_is_in_millimetres(void **state) {
+    ktg_context *context = *state;
+    ktg_pattern *pattern = make_strips(context, 1, 215.9, 279.4, 10, 40, 200);
+    char *bytes;
+    size_t size;
+    assert_int_equal(render_bytes(context, pattern, "svg", 0, NULL, &bytes, &size), KTG_OK);
+    assert_non_null(strstr(bytes, "width=\"215.9mm\" height=\"279.4mm\""));
+    assert_non_null(strstr(bytes, "viewBox=\"0 0 215.9 279.4\""));
+    /* The outline, one closed path: (120, 0) of the piece lies at (160, 79.4) of the page. */
+    const char *outline = strstr(bytes, "d=\"M 40 79.39");
+    assert_non_null(outline);
+    const char *end = strchr(outline + 3, '"'), *tip = strstr(outline, "L 165 74.39");
+    assert_true(tip && tip < end);
+    assert_true(memmem(outline, (size_t)(end - outline), " Z", 2) != NULL);
+    /* Seven points, but one lies on the line between its neighbours. */
+    assert_int_equal(count_text(outline, (size_t)(end - outline), "L "), 5);
+    assert_non_null(strstr(bytes, "</svg>"));
+    ktg_free(bytes);
+    ktg_pattern_free(&pattern);
+}
+
+static void any_title_will_do(void **state) {
+    static const char *const titles[] = {"\xff\xfe broken \xc3",
+                                         "tab\there\nand\x7f there\x01",
+                                         "\xed\xa0\x80 half a pair",
+                                         "\xef\xbf\xbf\xf4\x90\x80\x80",
+                                         "\xe5\x9e\x8b\xe7\xb4\x99",
+                                         " ",
+                                         "\\(()%"};
+    ktg_context *context = *state;
+    ktg_render_options options;
+    ktg_render_defaults(&options);
+    ktg_pattern *pattern = two_on_a4(context);
+    char *bytes, *endless = malloc(100001);
+    size_t size;
+    for (size_t i = 0; i < sizeof titles / sizeof *titles; i++) {
+        options.title = titles[i];
+        assert_int_equal(render_bytes(context, pattern, "pdf", 0, &options, &bytes, &size), KTG_OK);
+        assert_int_equal(count_pages(bytes, size), 2);
+        ktg_free(bytes);
+    }
+    for (size_t i = 0; i < 100000; i++)
+        endless[i] = "\xe2\x82\xac"[i % 3];
+    endless[100000] = 0;
+    options.title = endless;
+    memset(pattern->pieces[0].labels[0].text, 0xc3, sizeof pattern->pieces[0].labels[0].text);
+    assert_int_equal(render_bytes(context, pattern, "pdf", 0, &options, &bytes, &size), KTG_OK);
+    ktg_free(bytes);
+    free(endless);
+    ktg_pattern_free(&pattern);
+}
+
+static void what_cannot_be_drawn_is_refused(void **state) {
+    ktg_context *context = *state;
+    ktg_pattern *pattern = two_on_a4(context);
+    ktg_render_options options;
+    char *bytes;
+    size_t size, sheets = pattern->sheet_count;
+    ktg_render_defaults(&options);
+    assert_int_equal(render_bytes(context, pattern, "svg", 2, NULL, &bytes, &size), KTG_ARGUMENT);
+    assert_int_equal(render_bytes(context, pattern, "png", 2, NULL, &bytes, &size), KTG_ARGUMENT);
+    options.dots_per_inch = 0;
+    assert_int_equal(render_bytes(context, pattern, "png", 0, &options, &bytes, &size),
+                     KTG_ARGUMENT);
+    options.dots_per_inch = 1e6;
+    assert_int_equal(render_bytes(context, pattern, "png", 0, &options, &bytes, &size), KTG_LIMIT);
+    assert_non_null(strstr(ktg_context_message(context), "at most 2802 dots per inch"));
+    ktg_render_defaults(&options);
+    options.flat_below = -1;
+    assert_int_equal(render_bytes(context, pattern, "pdf", 0, &options, &bytes, &size),
+                     KTG_ARGUMENT);
+    pattern->sheets[1].height_mm = 6000;
+    assert_int_equal(render_bytes(context, pattern, "pdf", 0, NULL, &bytes, &size), KTG_LIMIT);
+    assert_non_null(strstr(ktg_context_message(context), "sheet 2"));
+    pattern->sheets[1].height_mm = NAN;
+    assert_int_equal(render_bytes(context, pattern, "svg", 0, NULL, &bytes, &size), KTG_ARGUMENT);
+    pattern->sheets[1].height_mm = 297;
+    pattern->sheets[0].placements[0].piece = 2;
+    assert_int_equal(render_bytes(context, pattern, "pdf", 0, NULL, &bytes, &size), KTG_ARGUMENT);
+    pattern->sheets[0].placements[0].piece = 0;
+    pattern->pieces[0].outline_count = 0;
+    assert_int_equal(render_bytes(context, pattern, "pdf", 0, NULL, &bytes, &size), KTG_ARGUMENT);
+    pattern->pieces[0].outline_count = 7;
+    pattern->sheet_count = 0;
+    assert_int_equal(render_bytes(context, pattern, "pdf", 0, NULL, &bytes, &size), KTG_ARGUMENT);
+    assert_non_null(strstr(ktg_context_message(context), "lay it out"));
+    pattern->sheet_count = sheets;
+    ktg_pattern_free(&pattern);
+}
+
+static void a_full_disk_is_told(void **state) {
+    ktg_context *context = *state;
+    if (access("/dev/full", W_OK) != 0)
+        skip();
+    ktg_pattern *pattern = make_strips(context, 40, 210, 297, 10, 40, 200);
+    ktg_render_options options;
+    ktg_render_defaults(&options);
+    options.dots_per_inch = 300;
+    for (int kind = 0; kind < 3; kind++) {
+        ktg_output *output = NULL;
+        assert_int_equal(ktg_output_open(context, "/dev/full", &output), KTG_OK);
+        ktg_status status = kind == 0   ? ktg_render_pdf(context, pattern, &options, output)
+                            : kind == 1 ? ktg_render_svg(context, pattern, 0, &options, output)
+                                        : ktg_render_png(context, pattern, 0, &options, output);
+        assert_int_equal(status, KTG_FILE);
+        assert_non_null(strstr(ktg_context_message(context), "/dev/full"));
+        ktg_output_discard(&output);
+    }
+    ktg_pattern_free(&pattern);
+}
+
+static void short_memory_is_survived(void **state) {
+    static const char *const kinds[] = {"pdf", "svg", "png"};
+    ktg_context *context = *state;
+    ktg_pattern *pattern = two_on_a4(context);
+    for (size_t k = 0; k < 3; k++) {
+        ktg_status status = KTG_MEMORY;
+        for (uint64_t nth = 1; status != KTG_OK && nth < 200; nth++) {
+            char *bytes;
+            size_t size;
+            ktg_context_fail_allocation(context, nth);
+            status = render_bytes(context, pattern, kinds[k], 0, NULL, &bytes, &size);
+            assert_true(status == KTG_OK || status == KTG_MEMORY);
+            ktg_free(bytes);
+        }
+        ktg_context_fail_allocation(context, 0);
+        assert_int_equal(status, KTG_OK);
+    }
+    ktg_pattern_free(&pattern);
+}
+
+static ktg_wish always(void *user) {
+    (void)user;
+    return KTG_STOP;
+}
+
+static void drawing_can_be_interrupted(void **state) {
+    ktg_context *context = *state;
+    ktg_pattern *pattern = two_on_a4(context);
+    char *bytes;
+    size_t size;
+    ktg_context_set_cancel(context, always, NULL);
+    assert_int_equal(render_bytes(context, pattern, "pdf", 0, NULL, &bytes, &size), KTG_CANCELLED);
+    assert_int_equal(render_bytes(context, pattern, "png", 0, NULL, &bytes, &size), KTG_CANCELLED);
+    ktg_pattern_free(&pattern);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(a_pdf_has_a_page_per_sheet, make_context, drop_context),
+        cmocka_unit_test_setup_teardown(the_text_of_a_pdf_can_be_searched, make_context,
+                                        drop_context),
+        cmocka_unit_test_setup_teardown(the_fonts_of_a_pdf_are_embedded, make_context,
+                                        drop_context),
+        cmocka_unit_test_setup_teardown(a_pdf_says_what_it_is, make_context, drop_context),
+        cmocka_unit_test_setup_teardown(the_same_pattern_gives_the_same_bytes, make_context,
+                                        drop_context),
+        cmocka_unit_test_setup_teardown(an_svg_is_in_millimetres, make_context, drop_context),
+        cmocka_unit_test_setup_teardown(any_title_will_do, make_context, drop_context),
+        cmocka_unit_test_setup_teardown(what_cannot_be_drawn_is_refused, make_context,
+                                        drop_context),
+        cmocka_unit_test_setup_teardown(a_full_disk_is_told, make_context, drop_context),
+        cmocka_unit_test_setup_teardown(short_memory_is_survived, make_context, drop_context),
+        cmocka_unit_test_setup_teardown(drawing_can_be_interrupted, make_context, drop_context),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
