@@ -14,21 +14,21 @@ static float up(double x) {
     return f + fabsf(f) * 0x1p-22f;
 }
 
-ktg_box ktg_box_of(const ktg_vec2 c[3]) {
+ktg_flat_box ktg_flat_box_of(const ktg_vec2 c[3]) {
     double x0 = fmin(c[0].x, fmin(c[1].x, c[2].x)), x1 = fmax(c[0].x, fmax(c[1].x, c[2].x));
     double y0 = fmin(c[0].y, fmin(c[1].y, c[2].y)), y1 = fmax(c[0].y, fmax(c[1].y, c[2].y));
-    return (ktg_box){down(x0), down(y0), up(x1), up(y1)};
+    return (ktg_flat_box){down(x0), down(y0), up(x1), up(y1)};
 }
 
-void ktg_box_add(ktg_box *box, const ktg_box *other) {
+void ktg_flat_box_add(ktg_flat_box *box, const ktg_flat_box *other) {
     box->x0 = fminf(box->x0, other->x0);
     box->y0 = fminf(box->y0, other->y0);
     box->x1 = fmaxf(box->x1, other->x1);
     box->y1 = fmaxf(box->y1, other->y1);
 }
 
-ktg_box ktg_box_empty(void) {
-    return (ktg_box){INFINITY, INFINITY, -INFINITY, -INFINITY};
+ktg_flat_box ktg_flat_box_empty(void) {
+    return (ktg_flat_box){INFINITY, INFINITY, -INFINITY, -INFINITY};
 }
 
 /* True when an edge of `a` has all of `b` on its outer side, but for `depth`. */

@@ -35,7 +35,7 @@ static ktg_status allocate(ktg_context *context, ktg_patches *p) {
     p->face_patch = ktg_new(context, n, uint32_t);
     p->face_slot = ktg_new(context, n, uint32_t);
     p->moved = ktg_new(context, 3 * (size_t)n, ktg_vec2);
-    p->moved_box = ktg_new(context, n, ktg_box);
+    p->moved_box = ktg_new(context, n, ktg_flat_box);
     p->near = ktg_new(context, n, uint32_t);
     if (!p->patches || !p->face_patch || !p->face_slot || !p->moved || !p->moved_box || !p->near)
         return KTG_MEMORY;
@@ -48,7 +48,7 @@ static void single_faces(ktg_patches *p) {
         memcpy(p->slot_corners + 3 * (size_t)f, p->dual->flat + 3 * (size_t)f,
                3 * sizeof(ktg_vec2));
         p->slot_face[f] = p->face_patch[f] = p->face_slot[f] = f;
-        p->slot_box[f] = ktg_box_of(p->slot_corners + 3 * (size_t)f);
+        p->slot_box[f] = ktg_flat_box_of(p->slot_corners + 3 * (size_t)f);
         p->patches[f] = (ktg_patch){.first = f, .count = 1, .capacity = 1, .box = p->slot_box[f]};
     }
     p->patch_count = n;
@@ -101,38 +101,39 @@ static void half_edge_ends(const ktg_patches *p, uint32_t halfedge, ktg_vec2 *fr
 
 /* Moves `patch` so that its half-edge `own` comes to lie on `other` of the standing patch, into the
  * scratch arrays. */
-static ktg_box move_patch(ktg_patches *p, const ktg_patch *patch, uint32_t own, uint32_t other) {
+static ktg_flat_box move_patch(ktg_patches *p, const ktg_patch *patch, uint32_t own,
+                               uint32_t other) {
     ktg_vec2 a, b, A, B;
     half_edge_ends(p, own, &a, &b);
     half_edge_ends(p, other, &A, &B);
     ktg_motion2 motion = ktg_motion2_between(a, b, B, A);
-    ktg_box box = ktg_box_empty();
+    ktg_flat_box box = ktg_flat_box_empty();
     const ktg_vec2 *corners = p->slot_corners + 3 * (size_t)patch->first;
     for (uint32_t i = 0; i < patch->count; i++) {
         for (int k = 0; k < 3; k++)
             p->moved[3 * i + k] = ktg_move2(motion, corners[3 * i + k]);
-        p->moved_box[i] = ktg_box_of(p->moved + 3 * i);
-        ktg_box_add(&box, &p->moved_box[i]);
+        p->moved_box[i] = ktg_flat_box_of(p->moved + 3 * i);
+        ktg_flat_box_add(&box, &p->moved_box[i]);
     }
     return box;
 }
 
 static bool overlaps(ktg_patches *p, const ktg_patch *standing, const ktg_patch *moving,
-                     const ktg_box *moved_box) {
-    if (!ktg_boxes_meet(&standing->box, moved_box))
+                     const ktg_flat_box *moved_box) {
+    if (!ktg_flat_boxes_meet(&standing->box, moved_box))
         return false;
     uint32_t near_count = 0;
     for (uint32_t s = standing->first; s < standing->first + standing->count; s++) {
         p->near[near_count] = s;
-        near_count += ktg_boxes_meet(&p->slot_box[s], moved_box);
+        near_count += ktg_flat_boxes_meet(&p->slot_box[s], moved_box);
     }
     for (uint32_t i = 0; i < moving->count; i++) {
-        if (!ktg_boxes_meet(&p->moved_box[i], &standing->box))
+        if (!ktg_flat_boxes_meet(&p->moved_box[i], &standing->box))
             continue;
         const double *lengths = p->dual->lengths + 3 * (size_t)p->slot_face[moving->first + i];
         for (uint32_t j = 0; j < near_count; j++) {
             uint32_t s = p->near[j];
-            if (ktg_boxes_meet(&p->slot_box[s], &p->moved_box[i]) &&
+            if (ktg_flat_boxes_meet(&p->slot_box[s], &p->moved_box[i]) &&
                 ktg_triangles_overlap(p->slot_corners + 3 * (size_t)s,
                                       p->dual->lengths + 3 * (size_t)p->slot_face[s],
                                       p->moved + 3 * (size_t)i, lengths, KTG_OVERLAP_DEPTH))
@@ -152,7 +153,7 @@ static ktg_status make_room(ktg_context *context, ktg_patches *p, ktg_patch *pat
     memcpy(p->slot_face + first, p->slot_face + patch->first, patch->count * sizeof(uint32_t));
     memcpy(p->slot_corners + 3 * (size_t)first, p->slot_corners + 3 * (size_t)patch->first,
            3 * (size_t)patch->count * sizeof(ktg_vec2));
-    memcpy(p->slot_box + first, p->slot_box + patch->first, patch->count * sizeof(ktg_box));
+    memcpy(p->slot_box + first, p->slot_box + patch->first, patch->count * sizeof(ktg_flat_box));
     for (uint32_t i = 0; i < patch->count; i++)
         p->face_slot[p->slot_face[first + i]] = first + i;
     p->slot_count += capacity;
@@ -163,7 +164,7 @@ static ktg_status make_room(ktg_context *context, ktg_patches *p, ktg_patch *pat
 
 /* Appends the moved faces to the standing patch. */
 static ktg_status take_over(ktg_context *context, ktg_patches *p, uint32_t standing,
-                            uint32_t moving, const ktg_box *moved_box) {
+                            uint32_t moving, const ktg_flat_box *moved_box) {
     ktg_patch *to = &p->patches[standing], *from = &p->patches[moving];
     KTG_TRY(make_room(context, p, to, from->count));
     for (uint32_t i = 0; i < from->count; i++) {
@@ -175,7 +176,7 @@ static ktg_status take_over(ktg_context *context, ktg_patches *p, uint32_t stand
         p->slot_box[slot] = p->moved_box[i];
     }
     to->count += from->count;
-    ktg_box_add(&to->box, moved_box);
+    ktg_flat_box_add(&to->box, moved_box);
     from->count = 0;
     p->patch_count--;
     p->largest = to->count > p->largest ? to->count : p->largest;
@@ -199,7 +200,7 @@ ktg_status ktg_patches_join(ktg_context *context, ktg_patches *p, uint32_t edge,
         own = other;
         other = halfedge;
     }
-    ktg_box box = move_patch(p, &p->patches[moving], own, other);
+    ktg_flat_box box = move_patch(p, &p->patches[moving], own, other);
     *result = KTG_OVERLAPS;
     if (overlaps(p, &p->patches[standing], &p->patches[moving], &box))
         return KTG_OK;

@@ -13,7 +13,7 @@
 
 typedef struct ktg_patch {
     uint32_t first, count, capacity; /* its slots */
-    ktg_box box;
+    ktg_flat_box box;
 } ktg_patch;
 
 typedef struct ktg_patches {
@@ -27,11 +27,11 @@ typedef struct ktg_patches {
     size_t face_slots, corner_slots, box_slots; /* capacities of the three arrays */
     uint32_t *slot_face;
     ktg_vec2 *slot_corners; /* three a slot */
-    ktg_box *slot_box;
+    ktg_flat_box *slot_box;
     ktg_cut_table table;
-    ktg_vec2 *moved;    /* scratch: the moved patch's corners, 3 face_count */
-    ktg_box *moved_box; /* scratch: face_count */
-    uint32_t *near;     /* scratch: face_count slots of the standing patch */
+    ktg_vec2 *moved;         /* scratch: the moved patch's corners, 3 face_count */
+    ktg_flat_box *moved_box; /* scratch: face_count */
+    uint32_t *near;          /* scratch: face_count slots of the standing patch */
 } ktg_patches;
 
 typedef enum ktg_join { KTG_JOINED, KTG_SAME_PATCH, KTG_NOT_MERGEABLE, KTG_OVERLAPS } ktg_join;
