@@ -68,12 +68,12 @@ typedef enum ktg_mesh_format {
     KTG_MESH_OFF
 } ktg_mesh_format;
 
-/* Reads a model. OBJ: polygons, negative indices, groups, objects, materials, texture coordinates,
- * `l` elements. STL, ASCII and binary: vertices welded where they coincide. PLY: ASCII and both
- * binary orders. OFF. Polygons are cut into triangles (constrained Delaunay in their plane; a
- * quadrangle along its better diagonal). Every face of the file is kept or the call fails:
- * KTG_FILE, KTG_FORMAT (with file, line and reason: truncated, index out of range, not a number,
- * NaN or infinite, no faces, a count the file cannot hold), KTG_LIMIT. */
+/* Reads a model ("-": from standard input). OBJ: polygons, negative indices, groups, objects,
+ * materials, texture coordinates, `l` elements. STL, ASCII and binary: vertices welded where they
+ * coincide. PLY: ASCII and both binary orders. OFF. Polygons are cut into triangles (constrained
+ * Delaunay in their plane; a quadrangle along its better diagonal). Every face of the file is kept
+ * or the call fails: KTG_FILE, KTG_FORMAT (with file, line and reason: truncated, index out of
+ * range, not a number, NaN or infinite, no faces, a count the file cannot hold), KTG_LIMIT. */
 KTG_API KTG_NODISCARD ktg_status ktg_mesh_read(ktg_context *context, const char *path,
                                                ktg_mesh_format format, ktg_mesh **mesh);
 

@@ -36,7 +36,7 @@ typedef struct ply_element {
 } ply_element;
 
 typedef struct ply_head {
-    bool ascii, big_endian;
+    bool has_format, ascii, big_endian;
     ply_element *elements;
     size_t element_count, element_capacity;
     ply_property *properties;

@@ -33,6 +33,7 @@ static ktg_status fail_word(ktg_scan *scan, ktg_word word, const char *wanted) {
 
 static ktg_status read_format(ktg_scan *scan, ply_head *head) {
     ktg_word word = ktg_scan_word(scan);
+    head->has_format = true;
     head->ascii = ktg_word_is(word, "ascii");
     head->big_endian = ktg_word_is(word, "binary_big_endian");
     if (head->ascii || head->big_endian || ktg_word_is(word, "binary_little_endian"))
@@ -117,9 +118,12 @@ static ktg_status read_property(ktg_scan *scan, ply_head *head) {
 /* One line of the head; *done at its end. */
 static ktg_status read_line(ktg_scan *scan, ply_head *head, bool *done) {
     ktg_word word = ktg_scan_word(scan);
-    *done = ktg_word_is(word, "end_header");
+    *done = ktg_word_is(word, "end_header") && head->has_format;
     if (*done || ktg_word_is(word, "comment") || ktg_word_is(word, "obj_info"))
         return KTG_OK;
+    if (!head->has_format)
+        return ktg_word_is(word, "format") ? read_format(scan, head)
+                                           : fail_word(scan, word, "format");
     if (ktg_word_is(word, "element"))
         return read_element(scan, head);
     if (ktg_word_is(word, "property"))
@@ -177,11 +181,6 @@ ktg_status ktg_ply_read_head(ktg_scan *scan, ply_head *head) {
     if (!ktg_word_is(word, "ply"))
         return fail_word(scan, word, "ply");
     bool carriage_returns = scan->at[0] == '\r' && scan->at[1] != '\n', done = false;
-    ktg_scan_next_line(scan);
-    word = ktg_scan_word(scan);
-    if (!ktg_word_is(word, "format"))
-        return fail_word(scan, word, "format");
-    KTG_TRY(read_format(scan, head));
     while (!done) {
         ktg_scan_next_line(scan);
         if (!ktg_scan_content(scan))

@@ -28,8 +28,9 @@ using Data = CGAL::Triangulation_data_structure_2<Vertex, Face>;
 using Cdt = CGAL::Constrained_Delaunay_triangulation_2<
     Kernel, Data, CGAL::No_constraint_intersection_requiring_constructions_tag>;
 
-/* Inserts the corners in an order that keeps point location short. False when two coincide. */
-bool insert_corners(Cdt &cdt, std::vector<Kernel::Point_2> &points,
+/* Inserts the corners in an order that keeps point location short. Corners that coincide share a
+ * vertex, which is known by one of them. */
+void insert_corners(Cdt &cdt, std::vector<Kernel::Point_2> &points,
                     std::vector<Cdt::Vertex_handle> &handles) {
     using Map = CGAL::Pointer_property_map<Kernel::Point_2>::type;
     std::vector<std::size_t> order(points.size());
@@ -43,7 +44,6 @@ bool insert_corners(Cdt &cdt, std::vector<Kernel::Point_2> &points,
         handles[i]->info() = static_cast<uint32_t>(i);
         hint = handles[i]->face();
     }
-    return cdt.number_of_vertices() == points.size();
 }
 
 /* Makes the outline's edges edges of the triangulation. False when one crosses another or passes
@@ -58,6 +58,9 @@ bool insert_outline(Cdt &cdt, const std::vector<Cdt::Vertex_handle> &handles) {
     ktg_random_seed(&random, 1);
     for (std::size_t i = count; i > 1; i--)
         std::swap(order[i - 1], order[ktg_random_below(&random, i)]);
+    for (std::size_t i = 0; i < count; i++)
+        if (handles[i] == handles[(i + 1) % count])
+            return false;
     try {
         for (std::size_t i : order)
             cdt.insert_constraint(handles[i], handles[(i + 1) % count]);
@@ -70,30 +73,37 @@ bool insert_outline(Cdt &cdt, const std::vector<Cdt::Vertex_handle> &handles) {
     return true;
 }
 
-/* Collects the faces inside: all that are reached from the face left of the first outline edge
- * without crossing the outline. False unless there are count - 2. */
-bool collect_inside(const Cdt &cdt, const std::vector<Cdt::Vertex_handle> &handles,
-                    uint32_t *triangles) {
-    size_t wanted = handles.size() - 2, found = 0;
+/* The face left of the outline's edge from `from` to `to`. */
+Cdt::Face_handle face_left(const Cdt &cdt, Cdt::Vertex_handle from, Cdt::Vertex_handle to) {
     Cdt::Face_handle face;
     int opposite = 0;
-    cdt.is_edge(handles[0], handles[1], face, opposite);
-    if (face->vertex(Cdt::ccw(opposite)) != handles[0])
-        face = face->neighbor(opposite);
-    std::vector<Cdt::Face_handle> open{face};
-    face->info().inside = true;
+    cdt.is_edge(from, to, face, opposite);
+    return face->vertex(Cdt::ccw(opposite)) == from ? face : face->neighbor(opposite);
+}
+
+/* Collects the faces inside: all that are reached from a face left of the outline without crossing
+ * it. An outline may run along an edge in both directions (the bridge to a hole), and has both of
+ * its sides inside then. False unless there are count - 2 faces. */
+bool collect_inside(const Cdt &cdt, const std::vector<Cdt::Vertex_handle> &handles,
+                    uint32_t *triangles) {
+    std::size_t count = handles.size(), wanted = count - 2, found = 0;
+    std::vector<Cdt::Face_handle> open;
+    auto enter = [&open](Cdt::Face_handle face) {
+        if (!face->info().inside)
+            open.push_back(face);
+        face->info().inside = true;
+    };
+    for (std::size_t i = 0; i < count; i++)
+        enter(face_left(cdt, handles[i], handles[(i + 1) % count]));
     for (; !open.empty(); found++) {
-        face = open.back();
+        Cdt::Face_handle face = open.back();
         open.pop_back();
         if (cdt.is_infinite(face) || found == wanted)
             return false;
         for (int k = 0; k < 3; k++) {
             triangles[3 * found + k] = face->vertex(k)->info();
-            Cdt::Face_handle next = face->neighbor(k);
-            if (face->is_constrained(k) || next->info().inside)
-                continue;
-            next->info().inside = true;
-            open.push_back(next);
+            if (!face->is_constrained(k))
+                enter(face->neighbor(k));
         }
     }
     return found == wanted;
@@ -110,8 +120,8 @@ extern "C" ktg_status ktg_triangulate_plane(ktg_context *context, const ktg_vec2
             points.emplace_back(corners[i].x, corners[i].y);
         Cdt cdt;
         std::vector<Cdt::Vertex_handle> handles(count);
-        *simple = insert_corners(cdt, points, handles) && insert_outline(cdt, handles) &&
-                  collect_inside(cdt, handles, triangles);
+        insert_corners(cdt, points, handles);
+        *simple = insert_outline(cdt, handles) && collect_inside(cdt, handles, triangles);
         return KTG_OK;
     });
 }

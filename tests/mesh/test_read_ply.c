@@ -18,6 +18,9 @@ static void check(ktg_mesh *mesh) {
 static void ascii_files_are_read(void **state) {
     check(read_text(*state, "a.ply", HEAD CORNERS "3 0 1 2\n"));
     check(read_text(*state, "a.ply", HEAD CORNERS "3 0 1 2")); /* no last line end */
+    check(read_text(*state, "a.ply",
+                    "ply\ncomment early\nformat ascii 1.0\nelement vertex 3\n" XYZ
+                    "element face 1\n" FACES "end_header\n" CORNERS "3 0 1 2\n"));
 }
 
 static void properties_and_elements_come_in_any_order(void **state) {
@@ -124,6 +127,7 @@ static void faulty_heads_are_refused(void **state) {
 #define LIST "element face 1\n" FACES
 #define END  "end_header\n" CORNERS "3 0 1 2\n"
     refuse_text(f, "a.ply", "ply\nelement vertex 3\n", KTG_FORMAT, ":2: \"element\"");
+    refuse_text(f, "a.ply", "ply\nend_header\n", KTG_FORMAT, ":2: \"end_header\"");
     refuse_text(f, "a.ply", "ply\nformat text 1.0\n", KTG_FORMAT, ":2: \"text\"");
     refuse_text(f, "a.ply", ASCII "element vertex 3\n" XYZ END, KTG_FORMAT, "0 elements \"face\"");
     refuse_text(f, "a.ply", ASCII LIST END, KTG_FORMAT, "0 elements \"vertex\"");

@@ -3,8 +3,6 @@
 #include "core/vec.h"
 #include "read_help.h"
 
-#include <locale.h>
-
 /* Reads one polygon with these corners, as vertices 0 .. count - 1. */
 static ktg_mesh *read_polygon(fixture *f, const ktg_vec3 *corners, size_t count) {
     char *text = malloc(100 * count + 100), *at = text;
@@ -165,6 +163,26 @@ static void straight_corners_and_notches_are_cut_well(void **state) {
     check_polygon(*state, straight, 8);
 }
 
+/* A square with a square hole, reached over a bridge that the outline walks both ways; once with
+ * the same vertices at its ends and once with others in the same places. */
+static void a_hole_with_a_bridge_stays_open(void **state) {
+    const char *faces[] = {"f 1 2 3 4 1 5 8 7 6 5\n", "f 1 2 3 4 9 5 8 7 6 10\n"};
+    for (int i = 0; i < 2; i++) {
+        char text[256] = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 1 1 0\nv 3 1 0\nv 3 3 0\nv 1 3 0\n"
+                         "v 0 0 0\nv 1 1 0\n";
+        ktg_mesh *mesh = read_text(*state, "a.obj", strcat(text, faces[i]));
+        assert_int_equal(mesh->face_count, 8);
+        double sum = 0;
+        for (uint32_t f = 0; f < 8; f++) {
+            ktg_vec3 area = face_area(mesh, f);
+            assert_true(area.z > 0);
+            sum += area.z;
+        }
+        assert_true(fabs(sum - 12) < 1e-12);
+        ktg_mesh_free(&mesh);
+    }
+}
+
 static void outlines_that_cross_or_touch_themselves_become_fans(void **state) {
     const ktg_vec3 pentagram[] = {{0, 3, 0}, {2, -3, 0}, {-3, 1, 0}, {3, 1, 0}, {-2, -3, 0}};
     const ktg_vec3 touching[] = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 0, 0}, {0, 4, 0}};
@@ -230,6 +248,7 @@ int main(void) {
         READ_TEST(attributes_follow_all_triangles_of_a_polygon),
         READ_TEST(concave_polygons_are_covered_exactly),
         READ_TEST(straight_corners_and_notches_are_cut_well),
+        READ_TEST(a_hole_with_a_bridge_stays_open),
         READ_TEST(outlines_that_cross_or_touch_themselves_become_fans),
         READ_TEST(a_slanted_comb_does_not_take_forever),
         READ_TEST(a_polygon_is_cut_by_delaunay),
