@@ -1,6 +1,7 @@
 /* mesh/simplify_collapse.c - which edge is next: a heap of candidate collapses by quadric error.
  *
- * An edge is first tried at the position of least error, then at its ends. A candidate is out of
+ * An edge is first tried at the position of least error, then at its ends; on a border only at its
+ * ends, so that a border goes through vertices that it always had. A candidate is out of
  * date when one of its vertices has changed since. When the heap runs dry before the target is
  * reached, all edges are tried again as long as that helps, then again with laxer shapes. */
 #include "core/memory.h"
@@ -53,10 +54,10 @@ static bool choose(const ktg_simplify *s, ktg_candidate *c) {
     ktg_quadric q = ktg_quadric_sum(&s->quadrics[c->from], &s->quadrics[c->to]);
     ktg_vec3 a = to_frame(s, s->positions[c->from]), b = to_frame(s, s->positions[c->to]);
     ktg_vec3 middle = ktg_mul3(ktg_add3(a, b), 0.5), best;
-    bool fixed = ktg_halfedges_is_border(s->halfedges, c->to) &&
-                 !ktg_halfedges_is_border(s->halfedges, c->from);
+    bool border = ktg_halfedges_is_border(s->halfedges, c->to);
+    bool fixed = border && !ktg_halfedges_is_border(s->halfedges, c->from);
     double reach = 2 * ktg_length3(ktg_sub3(b, a));
-    if (c->choice == 0 && !fixed && ktg_quadric_least(&q, middle, &best) &&
+    if (c->choice == 0 && !border && ktg_quadric_least(&q, middle, &best) &&
         ktg_length3(ktg_sub3(best, middle)) <= reach) {
         c->position = from_frame(s, best);
         c->cost = ktg_quadric_error(&q, best);
