@@ -114,6 +114,7 @@ void ktg_draw_set_tint(cairo_t *cairo);
 void ktg_draw_tabs(const ktg_page *page, const ktg_pattern_placement *placement);
 void ktg_draw_folds(const ktg_page *page, const ktg_pattern_placement *placement);
 void ktg_draw_lines(const ktg_page *page, const ktg_pattern_placement *placement);
+void ktg_draw_grounds(const ktg_page *page, const ktg_pattern_placement *placement);
 void ktg_draw_outline(const ktg_page *page, const ktg_pattern_placement *placement);
 void ktg_draw_labels(const ktg_page *page, const ktg_pattern_placement *placement);
 

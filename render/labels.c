@@ -8,44 +8,62 @@ static bool upside_down(double angle) {
     return c < -1e-9 || (c < 1e-9 && s < 0);
 }
 
-/* A name may cross folds: it gets a clear ground. */
-static void clear_ground(cairo_t *cairo, double x, double baseline, const char *text,
-                         double width) {
-    cairo_move_to(cairo, x, baseline);
-    cairo_text_path(cairo, text);
-    cairo_set_source_rgb(cairo, 1, 1, 1);
-    cairo_set_line_width(cairo, width);
-    cairo_stroke(cairo);
-}
+/* A label where it is read: its text, and cairo moved and turned so that (0, 0) is its centre. */
+typedef struct placed_label {
+    char text[128]; /* each byte of a label may become the three of U+FFFD */
+    double x, baseline;
+} placed_label;
 
-static void draw_label(const ktg_page *page, const ktg_pattern_placement *placement,
-                       const ktg_pattern_label *label) {
-    cairo_t *cairo = page->cairo;
-    char text[3 * sizeof label->text + 1];
-    ktg_text_clean(label->text, sizeof label->text, text, sizeof text);
-    if (!*text || !(label->height_mm > 0))
-        return;
-    /* A number keeps its turn, and a dot after it where it could be misread; a name is turned so
-     * that it can be read. */
-    bool name = label->edge == KTG_NONE;
+/* Saves cairo's state and moves to the label; false (and nothing to restore) when it is empty. A
+ * number keeps its turn, and has a dot where it could be misread; a name is turned so that it can
+ * be read. */
+static bool begin_label(const ktg_page *page, const ktg_pattern_placement *placement,
+                        const ktg_pattern_label *label, placed_label *placed) {
+    ktg_text_clean(label->text, sizeof label->text, placed->text, sizeof placed->text);
+    if (!*placed->text || !(label->height_mm > 0))
+        return false;
     double angle = label->rotation + placement->rotation;
-    if (name && upside_down(angle))
+    if (label->edge == KTG_NONE && upside_down(angle))
         angle += KTG_PI;
     ktg_vec2 at = ktg_page_point(page, ktg_page_motion(placement), label->at);
-    cairo_save(cairo);
-    cairo_translate(cairo, at.x, at.y);
-    cairo_rotate(cairo, -angle);
-    ktg_text_set(cairo, KTG_FACE_PLAIN, label->height_mm);
-    double x = -ktg_text_width(cairo, text) / 2, baseline = label->height_mm / 2;
-    if (name)
-        clear_ground(cairo, x, baseline, text, label->height_mm / 3);
-    cairo_set_source_rgb(cairo, 0.15, 0.15, 0.15);
-    ktg_text_draw(cairo, x, baseline, text);
-    cairo_restore(cairo);
+    cairo_save(page->cairo);
+    cairo_translate(page->cairo, at.x, at.y);
+    cairo_rotate(page->cairo, -angle);
+    ktg_text_set(page->cairo, KTG_FACE_PLAIN, label->height_mm);
+    placed->x = -ktg_text_width(page->cairo, placed->text) / 2;
+    placed->baseline = label->height_mm / 2;
+    return true;
+}
+
+/* A name may cross folds: there they are interrupted. */
+void ktg_draw_grounds(const ktg_page *page, const ktg_pattern_placement *placement) {
+    const ktg_pattern_piece *piece = &page->drawing->pattern->pieces[placement->piece];
+    cairo_t *cairo = page->cairo;
+    placed_label placed;
+    for (size_t i = 0; i < piece->label_count; i++) {
+        const ktg_pattern_label *label = &piece->labels[i];
+        if (label->edge != KTG_NONE || !begin_label(page, placement, label, &placed))
+            continue;
+        cairo_move_to(cairo, placed.x, placed.baseline);
+        cairo_text_path(cairo, placed.text);
+        cairo_set_source_rgb(cairo, 1, 1, 1);
+        cairo_set_dash(cairo, NULL, 0, 0);
+        cairo_set_line_width(cairo, label->height_mm / 3);
+        cairo_stroke(cairo);
+        cairo_restore(cairo);
+    }
 }
 
 void ktg_draw_labels(const ktg_page *page, const ktg_pattern_placement *placement) {
     const ktg_pattern_piece *piece = &page->drawing->pattern->pieces[placement->piece];
-    for (size_t i = 0; i < piece->label_count; i++)
-        draw_label(page, placement, &piece->labels[i]);
+    placed_label placed;
+    for (size_t i = 0; i < piece->label_count; i++) {
+        const ktg_pattern_label *label = &piece->labels[i];
+        double grey = label->edge == KTG_NONE ? 0.35 : 0.15;
+        if (!begin_label(page, placement, label, &placed))
+            continue;
+        cairo_set_source_rgb(page->cairo, grey, grey, grey);
+        ktg_text_draw(page->cairo, placed.x, placed.baseline, placed.text);
+        cairo_restore(page->cairo);
+    }
 }

@@ -25,13 +25,21 @@ typedef struct ktg_render_options {
 
 KTG_API void ktg_render_defaults(ktg_render_options *options);
 
-/* All sheets, one page each, as vector PDF with embedded fonts; the same pattern gives the same
- * bytes. KTG_ARGUMENT when the pattern has no sheets, KTG_FILE when the output cannot take it. */
+/* Title, legend and rulers stand between the printable area and the paper's edge, from 6.35 mm on;
+ * where the margins are narrower than 10 mm, in a free corner. They take no room from the pieces.
+ * The title may hold any bytes; what is not UTF-8 is replaced. */
+
+/* All sheets, one page each, as vector PDF with embedded fonts and searchable text; a last page
+ * "How to read this pattern" where a sheet had no room for the furniture. The same pattern gives
+ * the same bytes. KTG_ARGUMENT when the pattern is not finished or has no sheets, KTG_LIMIT when a
+ * sheet is larger than a PDF page can be (5080 mm a side), KTG_FILE when the output cannot take it.
+ */
 KTG_API KTG_NODISCARD ktg_status ktg_render_pdf(ktg_context *context, const ktg_pattern *pattern,
                                                 const ktg_render_options *options,
                                                 ktg_output *output);
 
-/* One sheet (0 .. sheet_count - 1) as SVG in millimetres, or as PNG. */
+/* One sheet (0 .. sheet_count - 1) as SVG, a user unit being a millimetre, or as PNG on white.
+ * KTG_ARGUMENT when there is no such sheet, KTG_LIMIT above 32767 pixels a side. */
 KTG_API KTG_NODISCARD ktg_status ktg_render_svg(ktg_context *context, const ktg_pattern *pattern,
                                                 size_t sheet, const ktg_render_options *options,
                                                 ktg_output *output);
