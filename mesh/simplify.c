@@ -93,7 +93,8 @@ static ktg_status prepare(ktg_simplify *s, const ktg_mesh *mesh) {
     s->alive = ktg_new(s->context, mesh->face_count, bool);
     s->quadrics = ktg_new(s->context, mesh->vertex_count, ktg_quadric);
     s->stamps = ktg_new(s->context, mesh->vertex_count, uint32_t);
-    if (!s->positions || !s->faces || !s->alive || !s->quadrics || !s->stamps)
+    s->border = ktg_new(s->context, mesh->vertex_count, bool);
+    if (!s->positions || !s->faces || !s->alive || !s->quadrics || !s->stamps || !s->border)
         return KTG_MEMORY;
     memset(s->alive, true, mesh->face_count);
     set_frame(s);
@@ -101,6 +102,8 @@ static ktg_status prepare(ktg_simplify *s, const ktg_mesh *mesh) {
     set_quadrics(s, mesh, adjacency);
     ktg_adjacency_free(&adjacency);
     KTG_TRY(ktg_halfedges_new(s->context, mesh, &s->halfedges));
+    for (uint32_t v = 0; v < mesh->vertex_count; v++)
+        s->border[v] = ktg_halfedges_is_border(s->halfedges, v);
     return ktg_simplify_box_faces(s);
 }
 
@@ -179,10 +182,12 @@ static void free_state(ktg_simplify *s) {
     ktg_free(s->alive);
     ktg_free(s->quadrics);
     ktg_free(s->stamps);
+    ktg_free(s->border);
     ktg_free(s->heap);
     ktg_free(s->changed);
     ktg_free(s->found);
     ktg_free(s->shapes);
+    ktg_free(s->outlines);
 }
 
 ktg_status ktg_mesh_simplify(ktg_context *context, ktg_mesh *mesh, uint32_t target_faces,

@@ -40,12 +40,12 @@ void ktg_halfedges_collapse(ktg_halfedges *halfedges, uint32_t from, uint32_t to
 /* How strictly shapes are looked after; a later stage starts when an earlier one finds nothing. */
 typedef enum ktg_strictness { KTG_SHAPELY, KTG_PASSABLE, KTG_STRICTNESS_COUNT } ktg_strictness;
 
+/* An edge in the queue. */
 typedef struct ktg_candidate {
     double cost;
-    ktg_vec3 position; /* of the vertex that stays */
     uint32_t from, to; /* `from` goes */
     uint32_t stamp;    /* stamps of both when this was computed, added up */
-    uint32_t choice;   /* 0: the best position; 1, 2: one of the ends */
+    uint32_t choice;   /* of position: 0 the best one, 1 and 2 an end */
 } ktg_candidate;
 
 typedef struct ktg_simplify {
@@ -59,6 +59,7 @@ typedef struct ktg_simplify {
     ktg_vec3 centre;
     double scale;     /* a power of two */
     uint32_t *stamps; /* vertex_count: goes up when a vertex changes */
+    bool *border;     /* vertex_count; a vertex that stays keeps its state */
     ktg_halfedges *halfedges;
     ktg_boxes *boxes;     /* of the living faces */
     uint32_t boxed_faces; /* how many there were when the tree was built */
@@ -68,14 +69,16 @@ typedef struct ktg_simplify {
 
     /* scratch of the rules: faces that change, with their old and new corners; those that go */
     uint32_t *changed, *found;
-    size_t changed_count, removed_count, changed_capacity, found_capacity, shape_capacity;
-    ktg_vec3 *shapes; /* 6 per changed face: old corners, new corners; removed faces behind them */
+    size_t changed_count, removed_count;
+    size_t changed_capacity, found_capacity, shape_capacity, outline_capacity;
+    ktg_vec3 *shapes;  /* 6 per changed face: old corners, new corners; removed faces behind them */
+    ktg_box *outlines; /* per changed face, of the corners looked at */
 } ktg_simplify;
 
-/* simplify_rules.c: whether the collapse leaves every face around it in good order: none turned,
- * none thin that was not, no new pair of faces that intersect. */
+/* simplify_rules.c: whether the collapse onto `position` leaves every face around it in good order:
+ * none turned, none thin that was not, no new pair of faces that intersect. */
 KTG_NODISCARD ktg_status ktg_simplify_allowed(ktg_simplify *s, const ktg_candidate *candidate,
-                                              bool *allowed);
+                                              ktg_vec3 position, bool *allowed);
 
 /* simplify_collapse.c: collapses until `target_faces` are left or nothing more is allowed. */
 KTG_NODISCARD ktg_status ktg_simplify_run(ktg_simplify *s, uint32_t target_faces);

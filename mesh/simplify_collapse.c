@@ -49,17 +49,17 @@ static ktg_vec3 from_frame(const ktg_simplify *s, ktg_vec3 p) {
     return ktg_add3(ktg_mul3(p, 1 / s->scale), s->centre);
 }
 
-/* Fills in position and cost for candidate->choice; false when there is no such choice. */
-static bool choose(const ktg_simplify *s, ktg_candidate *c) {
+/* The position and the cost of candidate->choice, or of the next one where it is impossible; false
+ * when there is none. */
+static bool choose(const ktg_simplify *s, ktg_candidate *c, ktg_vec3 *position) {
     ktg_quadric q = ktg_quadric_sum(&s->quadrics[c->from], &s->quadrics[c->to]);
     ktg_vec3 a = to_frame(s, s->positions[c->from]), b = to_frame(s, s->positions[c->to]);
     ktg_vec3 middle = ktg_mul3(ktg_add3(a, b), 0.5), best;
-    bool border = ktg_halfedges_is_border(s->halfedges, c->to);
-    bool fixed = border && !ktg_halfedges_is_border(s->halfedges, c->from);
+    bool border = s->border[c->to], fixed = border && !s->border[c->from];
     double reach = 2 * ktg_length3(ktg_sub3(b, a));
     if (c->choice == 0 && !border && ktg_quadric_least(&q, middle, &best) &&
         ktg_length3(ktg_sub3(best, middle)) <= reach) {
-        c->position = from_frame(s, best);
+        *position = from_frame(s, best);
         c->cost = ktg_quadric_error(&q, best);
         return true;
     }
@@ -69,19 +69,18 @@ static bool choose(const ktg_simplify *s, ktg_candidate *c) {
         return false;
     double at_from = ktg_quadric_error(&q, a), at_to = ktg_quadric_error(&q, b);
     bool use_to = fixed || (at_to <= at_from) == (c->choice == 1);
-    c->position = s->positions[use_to ? c->to : c->from];
+    *position = s->positions[use_to ? c->to : c->from];
     c->cost = use_to ? at_to : at_from;
     return true;
 }
 
 /* A border vertex stays where an inner one joins it; otherwise the lower number stays. */
 static ktg_status push_edge(ktg_simplify *s, uint32_t a, uint32_t b) {
-    bool border_a = ktg_halfedges_is_border(s->halfedges, a);
-    bool border_b = ktg_halfedges_is_border(s->halfedges, b);
-    bool swap = border_a == border_b ? a > b : border_b;
+    ktg_vec3 position;
+    bool swap = s->border[a] == s->border[b] ? a > b : s->border[b];
     ktg_candidate c = {.to = swap ? b : a, .from = swap ? a : b};
     c.stamp = s->stamps[a] + s->stamps[b];
-    return choose(s, &c) ? push(s, &c) : KTG_OK;
+    return choose(s, &c, &position) ? push(s, &c) : KTG_OK;
 }
 
 static ktg_status push_all(ktg_simplify *s) {
@@ -89,9 +88,7 @@ static ktg_status push_all(ktg_simplify *s) {
     for (uint32_t f = 0; f < s->face_count; f++)
         for (uint32_t k = 0; k < 3 && s->alive[f]; k++) {
             uint32_t a = s->faces[3 * (size_t)f + k], b = s->faces[3 * (size_t)f + (k + 1) % 3];
-            bool both = !ktg_halfedges_is_border(s->halfedges, a) ||
-                        !ktg_halfedges_is_border(s->halfedges, b);
-            if (a < b || !both) /* an inner edge has two faces, a border edge may have this one */
+            if (a < b || (s->border[a] && s->border[b])) /* a border edge has this face only */
                 KTG_TRY(push_edge(s, a, b));
         }
     return KTG_OK;
@@ -118,11 +115,11 @@ ktg_status ktg_simplify_box_faces(ktg_simplify *s) {
 }
 
 /* Carries out what the rules just allowed: their lists tell which faces change. */
-static ktg_status collapse(ktg_simplify *s, const ktg_candidate *c) {
+static ktg_status collapse(ktg_simplify *s, const ktg_candidate *c, ktg_vec3 position) {
     const uint32_t *around;
     s->quadrics[c->to] = ktg_quadric_sum(&s->quadrics[c->to], &s->quadrics[c->from]);
     ktg_halfedges_collapse(s->halfedges, c->from, c->to);
-    s->positions[c->to] = c->position;
+    s->positions[c->to] = position;
     s->stamps[c->from]++;
     s->stamps[c->to]++;
     for (size_t i = 0; i < s->changed_count; i++) {
@@ -147,15 +144,16 @@ static ktg_status collapse(ktg_simplify *s, const ktg_candidate *c) {
 /* Takes the next candidate: collapses it, or sets it back to its next choice. */
 static ktg_status step(ktg_simplify *s) {
     ktg_candidate c = pop(s);
+    ktg_vec3 position;
     bool allowed = false;
-    if (c.stamp != s->stamps[c.from] + s->stamps[c.to] ||
+    if (c.stamp != s->stamps[c.from] + s->stamps[c.to] || !choose(s, &c, &position) ||
         !ktg_halfedges_may_collapse(s->halfedges, c.from, c.to))
         return KTG_OK;
-    KTG_TRY(ktg_simplify_allowed(s, &c, &allowed));
+    KTG_TRY(ktg_simplify_allowed(s, &c, position, &allowed));
     if (allowed)
-        return collapse(s, &c);
+        return collapse(s, &c, position);
     c.choice++;
-    return choose(s, &c) ? push(s, &c) : KTG_OK;
+    return choose(s, &c, &position) ? push(s, &c) : KTG_OK;
 }
 
 static void tell_progress(const ktg_simplify *s, uint32_t target_faces) {

@@ -20,21 +20,22 @@ static bool has_corner(const uint32_t *face, uint32_t vertex) {
 static ktg_status add_face(ktg_simplify *s, uint32_t face, size_t at) {
     KTG_TRY(ktg_reserve(s->context, &s->changed, &s->changed_capacity, at + 1));
     KTG_TRY(ktg_reserve(s->context, &s->shapes, &s->shape_capacity, 6 * (at + 1)));
+    KTG_TRY(ktg_reserve(s->context, &s->outlines, &s->outline_capacity, at + 1));
     s->changed[at] = face;
     return KTG_OK;
 }
 
-static void set_shape(ktg_simplify *s, size_t at, const ktg_candidate *c) {
+static void set_shape(ktg_simplify *s, size_t at, const ktg_candidate *c, ktg_vec3 position) {
     const uint32_t *corner = s->faces + 3 * (size_t)s->changed[at];
     for (int k = 0; k < 3; k++) {
         bool moves = corner[k] == c->from || corner[k] == c->to;
         s->shapes[6 * at + (size_t)k] = s->positions[corner[k]];
-        s->shapes[6 * at + 3 + (size_t)k] = moves ? c->position : s->positions[corner[k]];
+        s->shapes[6 * at + 3 + (size_t)k] = moves ? position : s->positions[corner[k]];
     }
 }
 
 /* Lists the faces around both vertices: those that stay first, then those on both. */
-static ktg_status gather(ktg_simplify *s, const ktg_candidate *c) {
+static ktg_status gather(ktg_simplify *s, const ktg_candidate *c, ktg_vec3 position) {
     const uint32_t *around;
     size_t total = 0;
     s->changed_count = 0;
@@ -45,7 +46,7 @@ static ktg_status gather(ktg_simplify *s, const ktg_candidate *c) {
             if (has_corner(s->faces + 3 * (size_t)around[i], other) != (pass == 2))
                 continue;
             KTG_TRY(add_face(s, around[i], total));
-            set_shape(s, total++, c);
+            set_shape(s, total++, c, position);
         }
         if (pass == 1)
             s->changed_count = total;
@@ -120,32 +121,45 @@ static void face_shape(const ktg_simplify *s, uint32_t face, ktg_vec3 corners[3]
         corners[k] = s->positions[s->faces[3 * (size_t)face + (size_t)k]];
 }
 
-/* Intersecting pairs among `count` listed shapes and between them and the rest of the surface, up
- * to `most`. Rests on a query for a box around them all. */
+/* Intersecting pairs among the first `count` listed shapes. */
+static size_t pairs_within(ktg_simplify *s, size_t count, size_t offset, size_t most) {
+    size_t pairs = 0;
+    for (size_t i = 0; i < count; i++)
+        for (size_t j = i + 1; j < count && pairs < most; j++)
+            pairs +=
+                ktg_triangles_intersect(s->shapes + 6 * i + offset, s->shapes + 6 * j + offset);
+    return pairs;
+}
+
+/* Those of them with face `other` of the surface. */
+static size_t pairs_with(ktg_simplify *s, uint32_t other, size_t count, size_t offset) {
+    ktg_vec3 q[3];
+    size_t pairs = 0;
+    face_shape(s, other, q);
+    ktg_box box = ktg_box_of(q[0], q[1], q[2]);
+    for (size_t i = 0; i < count; i++)
+        pairs += ktg_box_meets(box, s->outlines[i]) &&
+                 ktg_triangles_intersect(s->shapes + 6 * i + offset, q);
+    return pairs;
+}
+
+/* Intersecting pairs among `count` listed shapes, old (`offset` 0) or new (3), and between them and
+ * the rest of the surface; counting may stop at `most`. */
 static ktg_status count_pairs(ktg_simplify *s, size_t count, size_t offset, size_t most,
                               size_t *pairs) {
     size_t found;
-    ktg_box all = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
-    *pairs = 0;
     for (size_t i = 0; i < count; i++) {
         const ktg_vec3 *p = s->shapes + 6 * i + offset;
-        all = ktg_box_join(all, ktg_box_of(p[0], p[1], p[2]));
-        for (size_t j = i + 1; j < count && *pairs < most; j++)
-            *pairs += ktg_triangles_intersect(p, s->shapes + 6 * j + offset);
+        s->outlines[i] = ktg_box_of(p[0], p[1], p[2]);
     }
+    ktg_box all = s->outlines[0];
+    for (size_t i = 1; i < count; i++)
+        all = ktg_box_join(all, s->outlines[i]);
+    *pairs = pairs_within(s, count, offset, most);
     KTG_TRY(ktg_boxes_query(s->context, s->boxes, all, &s->found, &s->found_capacity, &found));
-    for (size_t k = 0; k < found && *pairs < most; k++) {
-        ktg_vec3 q[3];
-        face_shape(s, s->found[k], q);
-        ktg_box box = ktg_box_of(q[0], q[1], q[2]);
-        if (is_listed(s, s->found[k]))
-            continue;
-        for (size_t i = 0; i < count && *pairs < most; i++) {
-            const ktg_vec3 *p = s->shapes + 6 * i + offset;
-            *pairs +=
-                ktg_box_meets(box, ktg_box_of(p[0], p[1], p[2])) && ktg_triangles_intersect(p, q);
-        }
-    }
+    for (size_t k = 0; k < found && *pairs < most; k++)
+        if (!is_listed(s, s->found[k]))
+            *pairs += pairs_with(s, s->found[k], count, offset);
     return KTG_OK;
 }
 
@@ -163,9 +177,10 @@ static ktg_status intersections_allowed(ktg_simplify *s, bool *allowed) {
     return KTG_OK;
 }
 
-ktg_status ktg_simplify_allowed(ktg_simplify *s, const ktg_candidate *candidate, bool *allowed) {
+ktg_status ktg_simplify_allowed(ktg_simplify *s, const ktg_candidate *candidate, ktg_vec3 position,
+                                bool *allowed) {
     *allowed = false;
-    KTG_TRY(gather(s, candidate));
+    KTG_TRY(gather(s, candidate, position));
     if (s->changed_count == 0 || !shapes_allowed(s) || !folds_allowed(s, candidate))
         return KTG_OK;
     return intersections_allowed(s, allowed);
