@@ -34,7 +34,7 @@ static bool sound(const ktg_check *check) {
 static bool is_finished(const ktg_pattern *p) {
     if (p->seam_count || p->sheet_count)
         return true;
-    for (size_t i = 0; i < p->piece_count; i++)
+    for (size_t i = 0; p->pieces && i < p->piece_count; i++)
         if (p->pieces[i].outline_count || p->pieces[i].tab_count || p->pieces[i].label_count)
             return true;
     return false;
