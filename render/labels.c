@@ -14,6 +14,17 @@ typedef struct placed_label {
     double x, baseline;
 } placed_label;
 
+/* The place nearest to `at` where a text of the given size, turned by `angle`, stays within the
+ * printable area: a name may be longer than its piece, but does not run into the furniture. */
+static ktg_vec2 within_printable(const ktg_page *page, ktg_vec2 at, double angle, double width,
+                                 double height) {
+    ktg_area area = ktg_page_printable(page);
+    double c = fabs(cos(angle)), s = fabs(sin(angle));
+    double x = (c * width + s * height) / 2, y = (s * width + c * height) / 2;
+    return (ktg_vec2){fmax(fmin(at.x, area.x1 - x), area.x0 + x),
+                      fmax(fmin(at.y, area.y1 - y), area.y0 + y)};
+}
+
 /* Saves cairo's state and moves to the label; false (and nothing to restore) when it is empty. A
  * number keeps its turn, and has a dot where it could be misread; a name is turned so that it can
  * be read. */
@@ -23,14 +34,17 @@ static bool begin_label(const ktg_page *page, const ktg_pattern_placement *place
     if (!*placed->text || !(label->height_mm > 0))
         return false;
     double angle = label->rotation + placement->rotation;
-    if (label->edge == KTG_NONE && upside_down(angle))
-        angle += KTG_PI;
     ktg_vec2 at = ktg_page_point(page, ktg_page_motion(placement), label->at);
     cairo_save(page->cairo);
+    ktg_text_set(page->cairo, KTG_FACE_PLAIN, label->height_mm);
+    double width = ktg_text_width(page->cairo, placed->text);
+    if (label->edge == KTG_NONE) {
+        angle += upside_down(angle) ? KTG_PI : 0;
+        at = within_printable(page, at, angle, width, label->height_mm);
+    }
     cairo_translate(page->cairo, at.x, at.y);
     cairo_rotate(page->cairo, -angle);
-    ktg_text_set(page->cairo, KTG_FACE_PLAIN, label->height_mm);
-    placed->x = -ktg_text_width(page->cairo, placed->text) / 2;
+    placed->x = -width / 2;
     placed->baseline = label->height_mm / 2;
     return true;
 }

@@ -279,6 +279,27 @@ static bool has_ink(const snapshot *picture, double x0, double y0, double x1, do
     return false;
 }
 
+static void a_long_name_does_not_run_into_the_furniture(void **state) {
+    ktg_context *context = *state;
+    ktg_render_options options;
+    default_options(&options);
+    ktg_pattern *pattern = make_strips(context, 1, 210, 297, 10, 75, 247);
+    ktg_pattern_piece *piece = &pattern->pieces[0];
+    piece->label_count = 1;
+    piece->labels[0] = (ktg_pattern_label){"a long name, 12 of 13", {118, 20}, 0, 4, KTG_NONE};
+    snapshot picture = take(context, pattern, &options);
+    assert_false(has_ink(&picture, 201, 200, 209, 280)); /* the right margin */
+    assert_true(has_ink(&picture, 190, 265, 199.9, 269));
+    cairo_surface_destroy(picture.surface);
+    piece->labels[0].at = (ktg_vec2){100, 38};
+    piece->labels[0].rotation = KTG_PI / 2;
+    picture = take(context, pattern, &options);
+    assert_false(has_ink(&picture, 170, 287.3, 180, 287.9)); /* below the title */
+    assert_true(has_ink(&picture, 172, 280, 178, 286.9));
+    cairo_surface_destroy(picture.surface);
+    ktg_pattern_free(&pattern);
+}
+
 static void furniture_stays_between_paper_edge_and_printable_area(void **state) {
     static const double sheets[][3] = {{210, 297, 10},     {297, 210, 10}, {215.9, 279.4, 12.7},
                                        {420, 297, 20},     {105, 148, 10}, {300, 60, 10},
@@ -379,6 +400,8 @@ int main(void) {
         cmocka_unit_test_setup_teardown(folds_have_the_colours_of_the_options, make_context,
                                         drop_context),
         cmocka_unit_test_setup_teardown(names_are_never_upside_down, make_context, drop_context),
+        cmocka_unit_test_setup_teardown(a_long_name_does_not_run_into_the_furniture, make_context,
+                                        drop_context),
         cmocka_unit_test_setup_teardown(furniture_stays_between_paper_edge_and_printable_area,
                                         make_context, drop_context),
         cmocka_unit_test_setup_teardown(furniture_keeps_out_of_the_pieces_in_narrow_margins,
