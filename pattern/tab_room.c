@@ -116,89 +116,6 @@ bool ktg_trapezoid_meets(const ktg_trapezoid *t, const ktg_vec2 *obstacle, uint3
     return part_in_the_way(t, obstacle, corner_count, clearance, part) > 0;
 }
 
-/* ---- cutting back ------------------------------------------------------------------------- */
-
-static ktg_trapezoid mirrored(const ktg_trapezoid *t) {
-    return (ktg_trapezoid){-t->right, -t->left, t->right_cot, t->left_cot, t->height};
-}
-
-/* Keeps the better of *best and t with its height brought down to where its flanks meet. */
-static void offer(ktg_trapezoid *best, double *best_value, ktg_trapezoid t,
-                  const ktg_tab_wish *wish, bool mirror) {
-    double cots = t.left_cot + t.right_cot;
-    if (cots * t.height > base_of(&t))
-        t.height = base_of(&t) / cots;
-    double value = ktg_trapezoid_value(&t, wish);
-    if (!(value > *best_value))
-        return;
-    *best_value = value;
-    *best = mirror ? mirrored(&t) : t;
-}
-
-/* The cotangent of the flattest line from (left, 0) that keeps `clearance` above ... that is, to
- * the right of all points; infinite when a point is too near to (left, 0) itself. */
-static double leaning_cot(double left, const ktg_vec2 *part, uint32_t count, double clearance) {
-    double cot = 0;
-    for (uint32_t i = 0; i < count; i++) {
-        ktg_vec2 v = {part[i].x - left, part[i].y};
-        double along = ktg_dot2(v, v) - clearance * clearance;
-        if (!(along > 0))
-            return INFINITY;
-        along = sqrt(along); /* tangent to the circle around the point, times |v|^2 */
-        ktg_vec2 d = {v.x * along + v.y * clearance, v.y * along - v.x * clearance};
-        if (!(d.y > 0))
-            return INFINITY;
-        cot = fmax(cot, d.x / d.y);
-    }
-    return cot;
-}
-
-/* The left flank at the given slope, moved right as far as the part demands. */
-static ktg_trapezoid with_left_flank(const ktg_trapezoid *t, double cot, const ktg_vec2 *part,
-                                     uint32_t count, double clearance) {
-    ktg_trapezoid moved = *t;
-    double aside = clearance * sqrt(1 + cot * cot);
-    moved.left_cot = cot;
-    for (uint32_t i = 0; i < count; i++)
-        moved.left = fmax(moved.left, part[i].x - cot * part[i].y + aside);
-    return moved;
-}
-
-/* Ways past the part on its right side: the flank as steep as it is but further in; leaning from
- * where it stands; parallel to a side of the part. */
-static void try_left(const ktg_trapezoid *t, const ktg_tab_wish *wish, const ktg_vec2 *part,
-                     uint32_t count, double clearance, bool mirror, ktg_trapezoid *best,
-                     double *best_value) {
-    offer(best, best_value, with_left_flank(t, t->left_cot, part, count, clearance), wish, mirror);
-    double leaning = leaning_cot(t->left, part, count, clearance);
-    if (leaning > t->left_cot && leaning <= FLATTEST_COT)
-        offer(best, best_value, with_left_flank(t, leaning, part, count, clearance), wish, mirror);
-    for (uint32_t i = 0; i < count && count > 1; i++) {
-        ktg_vec2 side = ktg_sub2(part[i + 1 == count ? 0 : i + 1], part[i]);
-        double cot = side.y != 0 ? side.x / side.y : INFINITY;
-        if (cot > t->left_cot && cot <= FLATTEST_COT)
-            offer(best, best_value, with_left_flank(t, cot, part, count, clearance), wish, mirror);
-    }
-}
-
-/* Every way past the part from the present trapezoid. */
-static void try_all(const ktg_trapezoid *t, const ktg_tab_wish *wish, const ktg_vec2 *part,
-                    uint32_t count, double clearance, ktg_trapezoid *best, double *best_value) {
-    ktg_vec2 turned[CLIPPED_CORNERS];
-    double lowest = INFINITY;
-    for (uint32_t i = 0; i < count; i++) {
-        turned[i] = (ktg_vec2){-part[i].x, part[i].y};
-        lowest = fmin(lowest, part[i].y);
-    }
-    try_left(t, wish, part, count, clearance, false, best, best_value);
-    ktg_trapezoid mirror = mirrored(t);
-    try_left(&mirror, wish, turned, count, clearance, true, best, best_value);
-    ktg_trapezoid lower = *t;
-    lower.height = fmin(t->height, lowest - clearance);
-    if (lower.height > 0)
-        offer(best, best_value, lower, wish, false);
-}
-
 static double distance_to_segment(ktg_vec2 p, ktg_vec2 a, ktg_vec2 b) {
     ktg_vec2 ab = ktg_sub2(b, a), ap = ktg_sub2(p, a);
     double length = ktg_dot2(ab, ab), s = length > 0 ? ktg_dot2(ap, ab) / length : 0;
@@ -235,13 +152,119 @@ static bool is_outside(const ktg_trapezoid *t, const ktg_vec2 *part, uint32_t co
     return false;
 }
 
+static bool is_clear(const ktg_trapezoid *t, const ktg_vec2 *part, uint32_t count,
+                     double clearance) {
+    return is_outside(t, part, count) && distance_outside(t, part, count) >= clearance * (1 - HAIR);
+}
+
+/* ---- cutting back ------------------------------------------------------------------------- */
+
+static ktg_trapezoid mirrored(const ktg_trapezoid *t) {
+    return (ktg_trapezoid){-t->right, -t->left, t->right_cot, t->left_cot, t->height};
+}
+
+/* Keeps the better of *best and t with its height brought down to where its flanks meet. */
+static void offer(ktg_trapezoid *best, double *best_value, ktg_trapezoid t,
+                  const ktg_tab_wish *wish, bool mirror) {
+    double cots = t.left_cot + t.right_cot;
+    if (cots * t.height > base_of(&t))
+        t.height = base_of(&t) / cots;
+    double value = ktg_trapezoid_value(&t, wish);
+    if (!(value > *best_value))
+        return;
+    *best_value = value;
+    *best = mirror ? mirrored(&t) : t;
+}
+
+/* The cotangent of the steepest line from (left, 0) that leaves all points on its left, `clearance`
+ * away; infinite when a point is too near to (left, 0) itself. */
+static double leaning_cot(double left, const ktg_vec2 *part, uint32_t count, double clearance) {
+    double cot = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        ktg_vec2 v = {part[i].x - left, part[i].y};
+        double along = ktg_dot2(v, v) - clearance * clearance;
+        if (!(along > 0))
+            return INFINITY;
+        along = sqrt(along); /* tangent to the circle around the point, times |v|^2 */
+        ktg_vec2 d = {v.x * along + v.y * clearance, v.y * along - v.x * clearance};
+        if (!(d.y > 0))
+            return INFINITY;
+        cot = fmax(cot, d.x / d.y);
+    }
+    return cot;
+}
+
+/* The left flank at the given slope, moved right as far as the part demands. */
+static ktg_trapezoid with_left_flank(const ktg_trapezoid *t, double cot, const ktg_vec2 *part,
+                                     uint32_t count, double clearance) {
+    ktg_trapezoid moved = *t;
+    double aside = clearance * sqrt(1 + cot * cot);
+    moved.left_cot = cot;
+    for (uint32_t i = 0; i < count; i++)
+        moved.left = fmax(moved.left, part[i].x - cot * part[i].y + aside);
+    return moved;
+}
+
+/* A flank is kept away from the part as if it went on below the edge, which costs the shortest tabs
+ * dear: tries to stay nearer to the part, where the true distance allows it. */
+static void try_nearer(const ktg_trapezoid *t, const ktg_trapezoid *moved, const ktg_tab_wish *wish,
+                       const ktg_vec2 *part, uint32_t count, double clearance, bool mirror,
+                       ktg_trapezoid *best, double *best_value) {
+    double step = moved->left - t->left;
+    for (int k = 1; k < 4 && step > 0 && step < clearance; k++) {
+        ktg_trapezoid nearer = *moved;
+        nearer.left = t->left + k * step / 4;
+        nearer.height = fmin(t->height, base_of(&nearer) / (nearer.left_cot + nearer.right_cot));
+        if (!is_clear(&nearer, part, count, clearance))
+            continue;
+        offer(best, best_value, nearer, wish, mirror);
+        return;
+    }
+}
+
+/* Ways past the part on its right side: the flank as steep as it is but further in; leaning from
+ * where it stands; parallel to a side of the part. */
+static void try_left(const ktg_trapezoid *t, const ktg_tab_wish *wish, const ktg_vec2 *part,
+                     uint32_t count, double clearance, bool mirror, ktg_trapezoid *best,
+                     double *best_value) {
+    ktg_trapezoid moved = with_left_flank(t, t->left_cot, part, count, clearance);
+    offer(best, best_value, moved, wish, mirror);
+    try_nearer(t, &moved, wish, part, count, clearance, mirror, best, best_value);
+    double leaning = leaning_cot(t->left, part, count, clearance);
+    if (leaning > t->left_cot && leaning <= FLATTEST_COT)
+        offer(best, best_value, with_left_flank(t, leaning, part, count, clearance), wish, mirror);
+    for (uint32_t i = 0; i < count && count > 1; i++) {
+        ktg_vec2 side = ktg_sub2(part[i + 1 == count ? 0 : i + 1], part[i]);
+        double cot = side.y != 0 ? side.x / side.y : INFINITY;
+        if (cot > t->left_cot && cot <= FLATTEST_COT)
+            offer(best, best_value, with_left_flank(t, cot, part, count, clearance), wish, mirror);
+    }
+}
+
+/* Every way past the part from the present trapezoid. */
+static void try_all(const ktg_trapezoid *t, const ktg_tab_wish *wish, const ktg_vec2 *part,
+                    uint32_t count, double clearance, ktg_trapezoid *best, double *best_value) {
+    ktg_vec2 turned[CLIPPED_CORNERS];
+    double lowest = INFINITY;
+    for (uint32_t i = 0; i < count; i++) {
+        turned[i] = (ktg_vec2){-part[i].x, part[i].y};
+        lowest = fmin(lowest, part[i].y);
+    }
+    try_left(t, wish, part, count, clearance, false, best, best_value);
+    ktg_trapezoid mirror = mirrored(t);
+    try_left(&mirror, wish, turned, count, clearance, true, best, best_value);
+    ktg_trapezoid lower = *t;
+    lower.height = fmin(t->height, lowest - clearance);
+    if (lower.height > 0)
+        offer(best, best_value, lower, wish, false);
+}
+
 void ktg_trapezoid_cut(ktg_trapezoid *t, const ktg_tab_wish *wish, const ktg_vec2 *obstacle,
                        uint32_t corner_count, double clearance) {
     static const double heights[] = {0.8, 0.6, 0.45};
     ktg_vec2 part[CLIPPED_CORNERS];
     uint32_t count = part_in_the_way(t, obstacle, corner_count, clearance, part);
-    if (count == 0 ||
-        (is_outside(t, part, count) && distance_outside(t, part, count) >= clearance * (1 - HAIR)))
+    if (count == 0 || is_clear(t, part, count, clearance))
         return;
     ktg_trapezoid best = {t->left, t->left, t->left_cot, t->right_cot, 0};
     double best_value = 0;

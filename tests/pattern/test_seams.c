@@ -1,0 +1,230 @@
+/* Seams, outlines, labels. */
+#include "check.h"
+#include "nets.h"
+
+#include "core/vec.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static int make_context(void **state) {
+    return ktg_context_new((ktg_context **)state);
+}
+
+static int drop_context(void **state) {
+    ktg_context_free((ktg_context **)state);
+    return 0;
+}
+
+static ktg_pattern *finished(ktg_context *context, surface *s, uint32_t most_faces, uint64_t seed,
+                             const ktg_finish_options *options) {
+    ktg_pattern *p = grow_net(context, s, most_faces, seed);
+    assert_int_equal(ktg_pattern_finish(context, p, options, NULL), KTG_OK);
+    return p;
+}
+
+/* Surface vertices from and to of a seam's k-th edge, as its side 0 runs. */
+static void ends_of(const ktg_pattern *p, const ktg_pattern_seam *seam, uint32_t k, uint32_t *from,
+                    uint32_t *to) {
+    const ktg_pattern_side *side = &p->edges[seam->edges[k]].sides[seam->first_side[k]];
+    *from = p->faces[3 * side->face + side->corner];
+    *to = p->faces[3 * side->face + (side->corner + 1) % 3];
+}
+
+static void every_cut_edge_is_in_one_seam_and_seams_are_chains(void **state) {
+    for (uint64_t seed = 1; seed < 10; seed++) {
+        ktg_pattern *p = finished(*state, make_bumpy_ball(70, 0.3, 1, seed), 20, seed, NULL);
+        uint32_t *uses = calloc(p->edge_count, sizeof *uses);
+        for (size_t s = 0; s < p->seam_count; s++) {
+            const ktg_pattern_seam *seam = &p->seams[s];
+            uint32_t before = 0, from, to;
+            double length = 0;
+            for (uint32_t k = 0; k < seam->edge_count; k++) {
+                const ktg_pattern_edge *edge = &p->edges[seam->edges[k]];
+                uses[seam->edges[k]]++;
+                assert_int_equal(edge->seam, s);
+                assert_int_equal(edge->sides[seam->first_side[k]].piece, seam->pieces[0]);
+                assert_int_equal(edge->sides[1 - seam->first_side[k]].piece, seam->pieces[1]);
+                ends_of(p, seam, k, &from, &to);
+                assert_true(k == 0 || from == before);
+                before = to;
+                length += ktg_length3(ktg_sub3(p->vertices[to], p->vertices[from]));
+            }
+            assert_true(fabs(seam->lengths_mm[0] - length) < 1e-9 * length);
+            assert_true(fabs(seam->lengths_mm[1] - length) < 1e-9 * length);
+        }
+        for (size_t e = 0; e < p->edge_count; e++)
+            assert_int_equal(uses[e], p->edges[e].kind == KTG_EDGE_CUT);
+        free(uses);
+        ktg_pattern_free(&p);
+    }
+}
+
+/* Cut edges at a surface vertex. */
+static uint32_t cuts_at(const ktg_pattern *p, uint32_t vertex) {
+    uint32_t cuts = 0;
+    for (size_t e = 0; e < p->edge_count; e++)
+        cuts += p->edges[e].kind == KTG_EDGE_CUT &&
+                (p->edges[e].vertices[0] == vertex || p->edges[e].vertices[1] == vertex);
+    return cuts;
+}
+
+static void seams_break_just_where_other_than_two_cuts_meet(void **state) {
+    for (uint64_t seed = 1; seed < 10; seed++) {
+        ktg_pattern *p = finished(*state, make_bumpy_ball(70, 0.3, 1, seed), 1000, seed, NULL);
+        if (p->piece_count == 1) {
+            size_t ends = 0;
+            for (size_t s = 0; s < p->seam_count; s++) {
+                const ktg_pattern_seam *seam = &p->seams[s];
+                uint32_t from, to;
+                ends_of(p, seam, 0, &from, &to);
+                assert_int_not_equal(cuts_at(p, from), 2);
+                ends_of(p, seam, seam->edge_count - 1, &from, &to);
+                assert_int_not_equal(cuts_at(p, to), 2);
+                ends += 2;
+            }
+            size_t wanted = 0;
+            for (uint32_t v = 0; v < p->vertex_count; v++)
+                wanted += cuts_at(p, v) == 2 ? 0 : cuts_at(p, v);
+            assert_int_equal(ends, wanted);
+        }
+        ktg_pattern_free(&p);
+    }
+}
+
+static void a_seam_that_zips_up_a_leaf_ends_there(void **state) {
+    for (uint64_t seed = 1; seed < 10; seed++) {
+        ktg_pattern *p = finished(*state, make_bumpy_ball(70, 0.3, 1, seed), 1000, seed, NULL);
+        for (size_t s = 0; s < p->seam_count; s++) {
+            const ktg_pattern_seam *seam = &p->seams[s];
+            uint32_t first, last, unused;
+            ends_of(p, seam, 0, &first, &unused);
+            ends_of(p, seam, seam->edge_count - 1, &unused, &last);
+            if (cuts_at(p, first) == 1)
+                assert_int_equal(cuts_at(p, last), 1);
+        }
+        ktg_pattern_free(&p);
+    }
+}
+
+static void outlines_are_closed_counter_clockwise_walks_with_all_tabs(void **state) {
+    ktg_pattern *p = finished(*state, make_bumpy_ball(70, 0.3, 1, 3), 20, 3, NULL);
+    for (size_t i = 0; i < p->piece_count; i++) {
+        const ktg_pattern_piece *piece = &p->pieces[i];
+        size_t border = 0, corners = 0;
+        for (size_t e = 0; e < p->edge_count; e++)
+            for (uint32_t s = 0; s < p->edges[e].side_count; s++)
+                border += p->edges[e].kind == KTG_EDGE_CUT && p->edges[e].sides[s].piece == i;
+        for (size_t t = 0; t < piece->tab_count; t++)
+            corners += piece->tabs[t].corner_count;
+        assert_int_equal(piece->outline_count, border + corners);
+        assert_true(area_of_polygon(piece->outline, piece->outline_count) > 0);
+    }
+    ktg_pattern_free(&p);
+}
+
+/* Half width and height of a text about its centre, as labels are planned. */
+static bool inside_tab(const ktg_pattern_label *label, const ktg_pattern_tab *tab) {
+    double c = cos(label->rotation), s = sin(label->rotation);
+    double w = 0.4 * label->height_mm * (double)strlen(label->text), h = label->height_mm / 2;
+    for (int k = 0; k < 4; k++) {
+        double x = k & 1 ? w : -w, y = k & 2 ? h : -h;
+        ktg_vec2 p = {label->at.x + c * x - s * y, label->at.y + s * x + c * y};
+        for (uint32_t i = 0; i < tab->corner_count; i++) {
+            ktg_vec2 a = tab->corners[i], b = tab->corners[(i + 1) % tab->corner_count];
+            if (ktg_cross2(ktg_sub2(b, a), ktg_sub2(p, a)) < 0)
+                return false;
+        }
+    }
+    return true;
+}
+
+static void every_seam_has_its_number_twice_and_on_large_nets_on_the_tab(void **state) {
+    ktg_pattern *p = finished(*state, make_bumpy_ball(150, 0.2, 1, 3), 20, 3, NULL);
+    uint32_t on_tabs = 0;
+    for (size_t s = 0; s < p->seam_count; s++) {
+        char text[24];
+        uint32_t found = 0;
+        snprintf(text, sizeof text, "%zu", s + 1);
+        for (size_t i = 0; i < p->piece_count; i++)
+            for (size_t k = 0; k < p->pieces[i].label_count; k++) {
+                const ktg_pattern_label *label = &p->pieces[i].labels[k];
+                if (label->edge == KTG_NONE || p->edges[label->edge].seam != s)
+                    continue;
+                found++;
+                assert_int_equal(strtoul(label->text, NULL, 10), s + 1);
+                assert_true(label->height_mm >= 1.6 && label->height_mm <= 2.4 + 1e-9);
+                for (size_t t = 0; t < p->pieces[i].tab_count; t++)
+                    if (p->pieces[i].tabs[t].edge == label->edge)
+                        on_tabs += inside_tab(label, &p->pieces[i].tabs[t]);
+            }
+        assert_int_equal(found, 2);
+    }
+    assert_true(on_tabs >= 0.9 * p->seam_count);
+    ktg_pattern_free(&p);
+}
+
+static bool has_text(const ktg_pattern *p, const char *text) {
+    for (size_t i = 0; i < p->piece_count; i++)
+        for (size_t k = 0; k < p->pieces[i].label_count; k++)
+            if (strcmp(p->pieces[i].labels[k].text, text) == 0)
+                return true;
+    return false;
+}
+
+static void numbers_that_read_upside_down_have_a_dot(void **state) {
+    ktg_finish_options o;
+    ktg_finish_defaults(&o);
+    o.numbers = KTG_NUMBER_EDGE;
+    ktg_pattern *p = finished(*state, make_bumpy_ball(150, 0.2, 2, 3), 3, 3, &o);
+    const char *with[] = {"6.", "9.", "16.", "66.", "68.", "86.", "89.", "98.", "99.", "106."};
+    const char *without[] = {"1", "8", "11", "60", "69", "88", "96", "101", "7", "26"};
+    for (size_t k = 0; k < 10; k++)
+        assert_true(has_text(p, with[k]));
+    for (size_t k = 0; k < 10; k++)
+        assert_true(has_text(p, without[k]));
+    assert_false(has_text(p, "6"));
+    assert_false(has_text(p, "99"));
+    ktg_pattern_free(&p);
+}
+
+static void numbers_in_a_face_do_not_cover_each_other(void **state) {
+    ktg_pattern *p = finished(*state, make_tetrahedron(60), 1, 1, NULL);
+    for (size_t i = 0; i < p->piece_count; i++)
+        for (size_t a = 0; a < p->pieces[i].label_count; a++)
+            for (size_t b = 0; b < a; b++) {
+                const ktg_pattern_label *l = p->pieces[i].labels;
+                assert_true(ktg_length2(ktg_sub2(l[a].at, l[b].at)) >=
+                            fmin(l[a].height_mm, l[b].height_mm));
+            }
+    ktg_pattern_free(&p);
+}
+
+static void pieces_are_named_when_there_are_several(void **state) {
+    ktg_pattern *p = finished(*state, make_tetrahedron(60), 1, 1, NULL);
+    assert_true(has_text(p, "ball 1 of 4"));
+    assert_true(has_text(p, "ball 4 of 4"));
+    ktg_pattern_free(&p);
+    p = finished(*state, make_tetrahedron(60), 4, 1, NULL);
+    assert_false(has_text(p, "ball"));
+    ktg_pattern_free(&p);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_cut_edge_is_in_one_seam_and_seams_are_chains),
+        cmocka_unit_test(seams_break_just_where_other_than_two_cuts_meet),
+        cmocka_unit_test(a_seam_that_zips_up_a_leaf_ends_there),
+        cmocka_unit_test(outlines_are_closed_counter_clockwise_walks_with_all_tabs),
+        cmocka_unit_test(every_seam_has_its_number_twice_and_on_large_nets_on_the_tab),
+        cmocka_unit_test(numbers_that_read_upside_down_have_a_dot),
+        cmocka_unit_test(numbers_in_a_face_do_not_cover_each_other),
+        cmocka_unit_test(pieces_are_named_when_there_are_several),
+    };
+    return cmocka_run_group_tests_name("pattern/seams", tests, make_context, drop_context);
+}
