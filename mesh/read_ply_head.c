@@ -52,9 +52,7 @@ static ktg_status read_element(ktg_scan *scan, ply_head *head) {
     element->first = element->end = head->property_count;
     KTG_TRY(ktg_scan_integer(scan, "the number of elements", &element->count));
     if (element->count < 0)
-        return ktg_scan_fail(scan, KTG_FORMAT,
-                             "%lld elements are announced; the number cannot be "
-                             "negative",
+        return ktg_scan_fail(scan, KTG_FORMAT, "%lld elements are announced, fewer than none",
                              (long long)element->count);
     element->name =
         ktg_name_clean(scan->context, (ktg_word){name.text, name.length < 40 ? name.length : 40});

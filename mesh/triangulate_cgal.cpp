@@ -11,6 +11,7 @@
 #include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
 
+#include <algorithm>
 #include <numeric>
 #include <vector>
 
@@ -27,6 +28,16 @@ using Face =
 using Data = CGAL::Triangulation_data_structure_2<Vertex, Face>;
 using Cdt = CGAL::Constrained_Delaunay_triangulation_2<
     Kernel, Data, CGAL::No_constraint_intersection_requiring_constructions_tag>;
+
+/* False for an outline that passes the same points again and again: such a point may have as many
+ * edges as there are corners, walked round each time, so that coincident corners times corners is
+ * the work that may come. */
+bool is_little_work(std::vector<Kernel::Point_2> points) {
+    std::size_t count = points.size();
+    std::sort(points.begin(), points.end());
+    auto distinct = std::unique(points.begin(), points.end()) - points.begin();
+    return static_cast<double>(count - distinct) * static_cast<double>(count) <= 1e6;
+}
 
 /* Inserts the corners in an order that keeps point location short. Corners that coincide share a
  * vertex, which is known by one of them. */
@@ -118,6 +129,9 @@ extern "C" ktg_status ktg_triangulate_plane(ktg_context *context, const ktg_vec2
         points.reserve(count);
         for (uint32_t i = 0; i < count; i++)
             points.emplace_back(corners[i].x, corners[i].y);
+        *simple = is_little_work(points);
+        if (!*simple)
+            return KTG_OK;
         Cdt cdt;
         std::vector<Cdt::Vertex_handle> handles(count);
         insert_corners(cdt, points, handles);

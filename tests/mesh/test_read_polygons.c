@@ -217,6 +217,25 @@ static void a_slanted_comb_does_not_take_forever(void **state) {
     free(corners);
 }
 
+/* An outline that comes back to the same corner again and again, like petals round a centre. */
+static void many_petals_do_not_take_forever(void **state) {
+    enum { PETALS = 50000 };
+    char *text = malloc(150 * PETALS), *at = text;
+    at += sprintf(at, "v 0 0 0\n");
+    for (int i = 0; i < 2 * PETALS; i++) {
+        double angle = KTG_PI * i / PETALS;
+        at += sprintf(at, "v %.17g %.17g 0\n", cos(angle), sin(angle));
+    }
+    at += sprintf(at, "f");
+    for (int i = 0; i < PETALS; i++)
+        at += sprintf(at, " 1 %d %d", 2 * i + 2, 2 * i + 3);
+    assert_true(at < text + 150 * PETALS);
+    ktg_mesh *mesh = read_text(*state, "a.obj", text);
+    assert_int_equal(mesh->face_count, 3 * PETALS - 2);
+    ktg_mesh_free(&mesh);
+    free(text);
+}
+
 /* No corner of a triangulated convex polygon lies inside another triangle's circle. */
 static void a_polygon_is_cut_by_delaunay(void **state) {
     const ktg_vec3 corners[] = {{0, 0, 0},  {10, -1, 0}, {20, 0, 0},
@@ -251,6 +270,7 @@ int main(void) {
         READ_TEST(a_hole_with_a_bridge_stays_open),
         READ_TEST(outlines_that_cross_or_touch_themselves_become_fans),
         READ_TEST(a_slanted_comb_does_not_take_forever),
+        READ_TEST(many_petals_do_not_take_forever),
         READ_TEST(a_polygon_is_cut_by_delaunay),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
