@@ -66,8 +66,9 @@ static ktg_status read_face(ktg_scan *scan, ktg_soup *soup) {
     for (int64_t i = 0; i < corners; i++) {
         KTG_TRY(ktg_scan_integer(scan, "the number of a vertex", &vertex));
         if (vertex < 0 || (uint64_t)vertex >= soup->vertex_count)
-            return ktg_scan_fail(scan, KTG_FORMAT, "vertex number %lld; they count from 0 to %zu",
-                                 (long long)vertex, soup->vertex_count - 1);
+            return ktg_scan_fail(scan, KTG_FORMAT,
+                                 "vertex number %lld, but there are only %zu, counted from 0",
+                                 (long long)vertex, soup->vertex_count);
         KTG_TRY(ktg_soup_corner(scan->context, soup, (uint32_t)vertex, KTG_NONE));
     }
     return ktg_soup_close_polygon(scan->context, soup);

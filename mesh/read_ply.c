@@ -100,8 +100,8 @@ static ktg_status read_corners(ply *p, const ply_property *property, int64_t len
         double vertex = 0;
         KTG_TRY(read_value(p, property->type, "the number of a vertex", &vertex));
         if (vertex < 0 || vertex >= (double)p->vertex_count)
-            return fail_row(p, "vertex number %.0f; they count from 0 to %lld", vertex,
-                            (long long)p->vertex_count - 1);
+            return fail_row(p, "vertex number %.0f, but there are only %lld, counted from 0",
+                            vertex, (long long)p->vertex_count);
         KTG_TRY(ktg_soup_corner(p->scan->context, p->soup, (uint32_t)vertex, KTG_NONE));
     }
     return ktg_soup_close_polygon(p->scan->context, p->soup);

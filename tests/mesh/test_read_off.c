@@ -53,7 +53,7 @@ static void faulty_lines_are_named(void **state) {
                 ":4: \"inf\"");
     refuse_text(f, "a.off", "OFF\n3 1 0\n0 0 0\n1 0 1e400\n0 1 0\n3 0 1 2\n", KTG_FORMAT, ":4:");
     refuse_text(f, "a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", KTG_FORMAT,
-                ":6: vertex number 3; they count from 0 to 2");
+                ":6: vertex number 3, but there are only 3");
     refuse_text(f, "a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 -1 2\n", KTG_FORMAT,
                 ":6: vertex number -1");
     refuse_text(f, "a.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n3 0 1 2\n", KTG_FORMAT,
