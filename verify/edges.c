@@ -6,8 +6,9 @@
 #include <float.h>
 #include <string.h>
 
-#define COINCIDE 1e-9 /* of the piece's reach: two copies of a cut that are one line */
-#define SHORT    1e-5 /* of the reach: the lengths of shorter edges are measured against this */
+#define COINCIDE 1e-10 /* of the shortest edge there: two copies of a cut that are one line */
+#define ROUNDING 1e-14 /* of the piece's reach: what stored coordinates may be off */
+#define SHORT    1e-5  /* of the reach: the lengths of shorter edges are measured against this */
 
 static const char *kind_name(ktg_edge_kind kind) {
     static const char *const names[] = {"cut", "mountain fold", "valley fold", "flat fold",
@@ -103,14 +104,24 @@ static void check_angle(ktg_check *check, uint32_t i, double angle, double noise
                           i + 1, stated * 180 / KTG_PI, angle * 180 / KTG_PI);
 }
 
+static double shortest_edge(const ktg_check *check, uint32_t face) {
+    double shortest = INFINITY;
+    for (uint32_t h = 3 * face; h < 3 * face + 3; h++)
+        shortest = fmin(shortest,
+                        ktg_check_distance3(ktg_check_start3(check, h), ktg_check_end3(check, h)));
+    return shortest;
+}
+
 /* A cut at whose end the border turns straight back, and whose two copies are one line, is no cut:
- * joining them leaves the outline one closed walk. */
+ * joining them leaves the outline one closed walk. Only copies so near that joining them keeps all
+ * lengths count: further apart the vertex is not flat, and the cut is needed. */
 static bool is_no_cut(const ktg_check *check, uint32_t h, uint32_t m) {
     uint32_t piece = check->face_piece[h / 3];
     if (piece != check->face_piece[m / 3] ||
         (ktg_check_next_border(check, h) != m && ktg_check_next_border(check, m) != h))
         return false;
-    double near = COINCIDE * check->reach2[piece];
+    double shortest = fmin(shortest_edge(check, h / 3), shortest_edge(check, m / 3));
+    double near = fmax(COINCIDE * shortest, ROUNDING * check->reach2[piece]);
     return ktg_check_distance2(ktg_check_start2(check, h), ktg_check_end2(check, m)) <= near &&
            ktg_check_distance2(ktg_check_end2(check, h), ktg_check_start2(check, m)) <= near;
 }
