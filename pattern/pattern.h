@@ -273,9 +273,10 @@ KTG_API KTG_NODISCARD ktg_status ktg_rows_pack(ktg_context *context, double widt
                                                double gap, ktg_row_box *boxes, size_t box_count,
                                                uint32_t *sheet_count);
 
-/* The rotation (radians) at which the convex hull of the points needs the smallest rectangle
- * (rotating calipers; ties by the smaller angle), and the lower left corner and size of that
- * rectangle after the turn. point_count at least 1. */
+/* The rotation, 0 to pi/2, at which the convex hull of the points needs the smallest rectangle (one
+ * of its sides is flush with it; ties by the smaller angle), and the lower left corner and size of
+ * that rectangle after the turn. point_count at least 1. KTG_ARGUMENT for a point that is not
+ * finite. */
 KTG_API KTG_NODISCARD ktg_status ktg_smallest_box(ktg_context *context, const ktg_vec2 *points,
                                                   size_t point_count, double *rotation,
                                                   ktg_vec2 *low, ktg_vec2 *size);

@@ -153,7 +153,11 @@ static void check_beside(checking *c, uint32_t p, size_t i) {
     for (size_t k = 0; k < i; k++) {
         polygon other = tab_polygon(&piece->tabs[k]);
         c->result.deepest = fmax(c->result.deepest, overlap(&q, &other));
-        c->result.least_air = fmin(c->result.least_air, distance(&q, other.p, other.count));
+        for (size_t n = 0; n < other.count; n++) {
+            ktg_vec2 ends[2] = {other.p[n], other.p[(n + 1) % other.count]};
+            if (keep_beside(tab, ends))
+                c->result.least_air = fmin(c->result.least_air, distance(&q, ends, 2));
+        }
     }
     for (size_t e = 0; e < c->pattern->edge_count; e++) {
         const ktg_pattern_edge *edge = &c->pattern->edges[e];

@@ -34,6 +34,31 @@ surface *make_cube(double side) {
     return surface_of(v, 8, f, 12, side);
 }
 
+surface *make_prism(uint32_t n, double side, double height) {
+    surface *s = calloc(1, sizeof *s);
+    double radius = side / (2 * sin(KTG_PI / n));
+    for (uint32_t k = 0; k < n; k++) {
+        double x = radius * cos(2 * KTG_PI * k / n), y = radius * sin(2 * KTG_PI * k / n);
+        s->vertices[k] = (ktg_vec3){x, y, 0};
+        s->vertices[n + k] = (ktg_vec3){x, y, height};
+    }
+    s->vertex_count = 2 * n;
+    uint32_t *f = s->faces;
+    for (uint32_t k = 0; k < n; k++) {
+        uint32_t next = (k + 1) % n;
+        uint32_t wall[6] = {k, next, n + next, k, n + next, n + k};
+        memcpy(f, wall, sizeof wall);
+        f += 6;
+        if (k < 1 || k + 1 >= n)
+            continue;
+        uint32_t lids[6] = {0, k + 1, k, n, n + k, n + k + 1};
+        memcpy(f, lids, sizeof lids);
+        f += 6;
+    }
+    s->face_count = (uint32_t)(f - s->faces) / 3;
+    return s;
+}
+
 static uint32_t middle_of(surface *s, uint32_t a, uint32_t b) {
     ktg_vec3 p = ktg_unit3(ktg_add3(s->vertices[a], s->vertices[b]));
     for (uint32_t v = 0; v < s->vertex_count; v++)

@@ -14,6 +14,8 @@ typedef struct surface {
 surface *make_tetrahedron(double side);
 /* Twelve triangles: the diagonals are flat. */
 surface *make_cube(double side);
+/* A prism over a polygon of n sides; its lids are fans of flat triangles. */
+surface *make_prism(uint32_t n, double side, double height);
 /* An octahedron cut into 8 * 4^level triangles, its vertices at random distances from the middle.
  */
 surface *make_bumpy_ball(double radius, double bumps, int level, uint64_t seed);

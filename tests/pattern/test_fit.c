@@ -208,6 +208,28 @@ static void margins_that_eat_the_sheet_are_refused(void **state) {
     ktg_pattern_free(&p);
 }
 
+static void every_failing_allocation_is_survived(void **state) {
+    ktg_context *context = *state;
+    ktg_sheet_format sheet;
+    ktg_sheet_defaults(&sheet);
+    for (int cloth = 0; cloth < 2; cloth++) {
+        ktg_pattern *p =
+            grow_net(context, cloth ? make_strip(3, 1, 2) : make_tetrahedron(1), 2 + 98 * cloth, 1);
+        p->mode = cloth ? KTG_CLOTH : KTG_PAPER;
+        ktg_status status = KTG_MEMORY;
+        double scale = 0;
+        for (uint64_t nth = 1; status == KTG_MEMORY; nth++) {
+            ktg_context_fail_allocation(context, nth);
+            status = ktg_pattern_fit(context, p, &sheet, 2, NULL, &scale);
+            assert_true(nth < 20000);
+        }
+        ktg_context_fail_allocation(context, 0);
+        assert_int_equal(status, KTG_OK);
+        assert_true(scale > 10);
+        ktg_pattern_free(&p);
+    }
+}
+
 /* ---- cloth -------------------------------------------------------------------------------- */
 
 static void a_strip_of_cloth_gets_its_allowance_all_around(void **state) {
@@ -281,6 +303,7 @@ int main(void) {
         cmocka_unit_test(a_model_twice_as_large_fits_at_exactly_half_the_scale),
         cmocka_unit_test(several_pieces_fit_one_sheet_in_rows),
         cmocka_unit_test(margins_that_eat_the_sheet_are_refused),
+        cmocka_unit_test(every_failing_allocation_is_survived),
         cmocka_unit_test(a_strip_of_cloth_gets_its_allowance_all_around),
         cmocka_unit_test(allowances_of_ragged_pieces_are_simple_and_wide_enough),
     };

@@ -123,6 +123,32 @@ static void separate_faces_compete_for_room_and_never_collide(void **state) {
     }
 }
 
+static void tabs_share_the_flat_region_under_a_lid(void **state) {
+    uint32_t under_several = 0;
+    for (uint64_t seed = 1; seed <= 20; seed++) {
+        ktg_finish_options o;
+        ktg_finish_report report;
+        ktg_finish_defaults(&o);
+        o.tab_height_mm = seed % 2 ? 5 : 12;
+        ktg_pattern *p = finished(*state, make_prism(5 + seed % 8, 12, 20), 200, seed, &o, &report);
+        assert_tabs_are_clear(p);
+        assert_tabs_are_as_counted(p, &o, &report);
+        for (size_t i = 0; i < p->piece_count; i++)
+            for (size_t t = 0; t < p->pieces[i].tab_count; t++) {
+                const ktg_pattern_edge *edge = &p->edges[p->pieces[i].tabs[t].edge];
+                const ktg_pattern_side *mate = &edge->sides[1 - edge->tab_on];
+                for (uint32_t k = 1; k < 3; k++)
+                    for (size_t e = 0; e < p->edge_count; e++)
+                        for (uint32_t s = 0; s < 2; s++)
+                            under_several += p->edges[e].kind == KTG_EDGE_FLAT &&
+                                             p->edges[e].sides[s].face == mate->face &&
+                                             p->edges[e].sides[s].corner == (mate->corner + k) % 3;
+            }
+        ktg_pattern_free(&p);
+    }
+    assert_true(under_several > 20);
+}
+
 static void random_nets_at_all_sizes_keep_their_tabs_apart(void **state) {
     for (uint64_t seed = 1; seed <= 24; seed++) {
         ktg_finish_options o;
@@ -251,6 +277,7 @@ int main(void) {
         cmocka_unit_test(a_tetrahedron_has_three_tabs),
         cmocka_unit_test(small_faces_get_the_largest_tab_that_fits_under_them),
         cmocka_unit_test(separate_faces_compete_for_room_and_never_collide),
+        cmocka_unit_test(tabs_share_the_flat_region_under_a_lid),
         cmocka_unit_test(random_nets_at_all_sizes_keep_their_tabs_apart),
         cmocka_unit_test(large_smooth_nets_lose_few_tabs),
         cmocka_unit_test(the_side_policy_is_followed_where_there_is_room),
