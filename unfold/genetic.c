@@ -154,7 +154,8 @@ static void tell_progress(ktg_context *context, const population *p, uint32_t ge
     const ktg_chromosome *best = &p->members[0];
     char detail[80];
     uint32_t pieces = p->strips->patch_count - best->accepted;
-    double own = (double)generation / (generation + 100.0) * p->strips->dual->face_count;
+    double all = (double)search->report.generations + generation - search->generations_before;
+    double own = all / (all + 100) * p->strips->dual->face_count; /* goes on through restarts */
     snprintf(detail, sizeof detail, "generation %u, %u piece%s", generation, pieces,
              pieces == 1 ? "" : "s");
     ktg_progress(context, "unfold", (search->faces_done + own) / search->faces_all, detail);

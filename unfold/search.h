@@ -10,6 +10,7 @@ typedef struct ktg_search {
     ktg_random random;
     double deadline;                /* monotonic seconds; 0: none */
     uint32_t faces_done, faces_all; /* for progress: of finished components, of all */
+    uint32_t generations_before;    /* spent on those components */
     ktg_unfold_report report;
 } ktg_search;
 

@@ -4,6 +4,7 @@
 #include "core/clock.h"
 #include "core/memory.h"
 #include "core/vec.h"
+#include "unfold/check.h"
 #include "unfold/edges.h"
 #include "unfold/genetic.h"
 #include "unfold/pieces.h"
@@ -30,24 +31,13 @@ static ktg_status check_options(ktg_context *context, const ktg_unfold_options *
     if (!(o->mutation_rate >= 0 && o->mutation_rate <= 1))
         return ktg_fail(context, KTG_ARGUMENT, "a mutation rate of %g: from 0 to 1 is possible",
                         o->mutation_rate);
+    if (!(o->seconds >= 0))
+        return ktg_fail(context, KTG_ARGUMENT, "a time limit of %g seconds; 0 is none", o->seconds);
     return KTG_OK;
 }
 
-static ktg_status check_mesh(ktg_context *context, const ktg_mesh *mesh, const ktg_adjacency *a) {
-    if (mesh->face_count == 0)
-        return ktg_fail(context, KTG_GEOMETRY, "there are no faces to unfold");
-    for (uint32_t e = 0; e < a->edge_count; e++) {
-        uint32_t h = a->edge_halfedges[a->edge_first[e]];
-        uint32_t count = a->edge_first[e + 1] - a->edge_first[e];
-        if (count > 2 || (count == 2 && a->twin[h] == KTG_NONE))
-            return ktg_fail(context, KTG_ARGUMENT,
-                            "face %u has an edge that is not manifold; repair the mesh first",
-                            h / 3);
-    }
-    return KTG_OK;
-}
-
-/* The power of two that brings the largest extent of the mesh into [1, 2). */
+/* The power of two that brings the largest extent of the mesh into [1, 2). Products of two lengths
+ * of the model itself, as edges.c makes them, stay in range. */
 static ktg_status normalising_scale(ktg_context *context, const ktg_mesh *mesh, double *scale) {
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
     for (size_t c = 0; c < 3 * (size_t)mesh->face_count; c++) {
@@ -59,7 +49,7 @@ static ktg_status normalising_scale(ktg_context *context, const ktg_mesh *mesh, 
         }
     }
     double extent = fmax(high[0] - low[0], fmax(high[1] - low[1], high[2] - low[2]));
-    if (!(extent > 1e-280) || !(extent < 1e280))
+    if (!(extent > 1e-75) || !(extent < 1e75))
         return ktg_fail(context, KTG_GEOMETRY,
                         "the model is %g units large; nothing can be cut out of that", extent);
     *scale = ldexp(1, -ilogb(extent));
@@ -161,6 +151,7 @@ static ktg_status unfold_component(ktg_context *context, work *w, uint32_t compo
                          &dual));
     bool *joined = ktg_new(context, dual->edge_count, bool);
     ktg_random_seed(&w->search.random, ktg_context_seed(context) + component);
+    w->search.generations_before = w->search.report.generations;
     ktg_status status =
         joined ? join_faces(context, dual, w->options, &w->search, joined) : KTG_MEMORY;
     if (status == KTG_OK)
@@ -252,13 +243,15 @@ ktg_status ktg_unfold(ktg_context *context, const ktg_mesh *mesh, const char *na
     ktg_adjacency *adjacency = NULL;
     *pattern = NULL;
     KTG_TRY(check_options(context, w.options));
+    if (mesh->face_count == 0)
+        return ktg_fail(context, KTG_GEOMETRY, "there are no faces to unfold");
     KTG_TRY(ktg_adjacency_new(context, mesh, &adjacency));
     w.adjacency = adjacency;
     w.search.faces_all = mesh->face_count;
     w.search.deadline = w.options->seconds > 0 ? ktg_clock_seconds() + w.options->seconds : 0;
-    ktg_status status = check_mesh(context, mesh, adjacency);
+    ktg_status status = normalising_scale(context, mesh, &w.scale);
     if (status == KTG_OK)
-        status = normalising_scale(context, mesh, &w.scale);
+        status = ktg_unfold_check(context, mesh, adjacency);
     if (status == KTG_OK && !(*pattern = ktg_new(context, 1, ktg_pattern)))
         status = KTG_MEMORY;
     if (status == KTG_OK)
