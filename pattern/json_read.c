@@ -1,8 +1,8 @@
 /* pattern/json_read.c - reading a pattern from JSON (docs/pattern-json.md), every key and every
  * index checked. */
+#include "pattern/json_read.h"
 #include "core/file.h"
 #include "core/memory.h"
-#include "pattern/json_value.h"
 #include "pattern/json_words.h"
 #include "pattern/pattern.h"
 
@@ -10,35 +10,9 @@
 
 /* A pattern of a million faces has about 300 MB. */
 #define MOST_BYTES ((size_t)1 << 29)
-/* Counts that are not indices into the file. */
-#define MOST_COUNT      UINT32_MAX
-#define LABEL_HEIGHT_MM 2.4 /* where a file of another program does not say */
 
-typedef struct reader {
-    ktg_pattern *pattern;
-    ktg_json root, pieces, edges;
-    ktg_json_ids piece_ids, edge_ids;
-} reader;
-
-/* Allocates `count` zeroed items; on failure the status of the calling function. */
-#define TAKE(at, items, count, type)                                                               \
-    do {                                                                                           \
-        (items) = ktg_new((at)->context, count, type);                                             \
-        if (!(items))                                                                              \
-            return KTG_MEMORY;                                                                     \
-    } while (0)
-
-static ktg_status read_points(const ktg_json *list, ktg_vec2 **points, size_t *count) {
-    *count = ktg_json_length(list);
-    double *numbers = NULL;
-    ktg_status status = ktg_json_rows(list, 2, &numbers);
-    *points = (ktg_vec2 *)numbers; /* a ktg_vec2 is two doubles */
-    return status;
-}
-
-/* The id at `key` as an index. */
-static ktg_status read_id(const ktg_json *object, const char *key, const ktg_json_ids *ids,
-                          uint32_t *index) {
+ktg_status ktg_json_read_id(const ktg_json *object, const char *key, const ktg_json_ids *ids,
+                            uint32_t *index) {
     ktg_json at;
     KTG_TRY(ktg_json_get(object, key, KTG_JSON_INTEGER, &at));
     return ktg_json_ids_find(ids, &at, index);
@@ -54,7 +28,7 @@ static ktg_status read_head(const ktg_json *root, ktg_pattern *p) {
     ktg_json model, at;
     KTG_TRY(ktg_json_word(root, "format", formats, &word));
     KTG_TRY(ktg_json_get(root, "version", KTG_JSON_INTEGER, &at));
-    KTG_TRY(ktg_json_below(&at, MOST_COUNT, &version));
+    KTG_TRY(ktg_json_below(&at, KTG_JSON_MOST_COUNT, &version));
     if (version != 1)
         return ktg_json_refuse(&at, "is %u, but only version 1 can be read", version);
     KTG_TRY(ktg_json_word(root, "units", units, &word));
@@ -62,7 +36,7 @@ static ktg_status read_head(const ktg_json *root, ktg_pattern *p) {
     p->mode = (ktg_pattern_mode)word;
     KTG_TRY(ktg_json_get(root, "model", KTG_JSON_OBJECT, &model));
     KTG_TRY(ktg_json_text(&model, "file", &p->model_file));
-    KTG_TRY(ktg_json_count(&model, "faces", MOST_COUNT, &p->model_faces));
+    KTG_TRY(ktg_json_count(&model, "faces", KTG_JSON_MOST_COUNT, &p->model_faces));
     KTG_TRY(ktg_json_number(&model, "mm_per_unit", &p->mm_per_unit));
     KTG_TRY(ktg_json_get(&model, "mm_per_unit", KTG_JSON_NUMBER, &at));
     if (p->mm_per_unit < 0)
@@ -77,7 +51,7 @@ static ktg_status read_strain(const ktg_json *mesh, ktg_pattern *p) {
     KTG_TRY(ktg_json_get_optional(mesh, "face_strain", KTG_JSON_ARRAY, &at));
     if (!at.value)
         return KTG_OK;
-    TAKE(mesh, p->face_strain, p->face_count, double);
+    KTG_JSON_TAKE(mesh, p->face_strain, p->face_count, double);
     return ktg_json_numbers(&at, p->face_count, p->face_strain);
 }
 
@@ -92,7 +66,7 @@ static ktg_status read_mesh(const ktg_json *root, ktg_pattern *p) {
     KTG_TRY(status);
     KTG_TRY(ktg_json_get(&mesh, "faces", KTG_JSON_ARRAY, &at));
     p->face_count = (uint32_t)ktg_json_length(&at);
-    TAKE(&mesh, p->faces, 3 * (size_t)p->face_count, uint32_t);
+    KTG_JSON_TAKE(&mesh, p->faces, 3 * (size_t)p->face_count, uint32_t);
     for (size_t i = 0; i < p->face_count; i++) {
         KTG_TRY(ktg_json_item(&at, i, KTG_JSON_ARRAY, &row));
         KTG_TRY(ktg_json_indices(&row, 3, p->vertex_count, p->faces + 3 * i));
@@ -100,150 +74,10 @@ static ktg_status read_mesh(const ktg_json *root, ktg_pattern *p) {
     return read_strain(&mesh, p);
 }
 
-/* ---- pieces ------------------------------------------------------------------------------- */
-
-static ktg_status read_faces(const ktg_json *object, const ktg_pattern *p,
-                             ktg_pattern_piece *piece) {
-    ktg_json list;
-    KTG_TRY(ktg_json_get(object, "faces", KTG_JSON_ARRAY, &list));
-    piece->face_count = ktg_json_length(&list);
-    TAKE(object, piece->faces, piece->face_count, uint32_t);
-    TAKE(object, piece->corners, 3 * piece->face_count, uint32_t);
-    for (size_t i = 0; i < piece->face_count; i++) {
-        ktg_json face, corners;
-        KTG_TRY(ktg_json_item(&list, i, KTG_JSON_OBJECT, &face));
-        KTG_TRY(ktg_json_count(&face, "face", p->face_count, &piece->faces[i]));
-        KTG_TRY(ktg_json_get(&face, "corners", KTG_JSON_ARRAY, &corners));
-        KTG_TRY(ktg_json_indices(&corners, 3, piece->vertex_count, piece->corners + 3 * i));
-    }
-    return KTG_OK;
-}
-
-static ktg_status read_tab(const ktg_json *object, const reader *r, ktg_pattern_tab *tab) {
-    ktg_json polygon, at;
-    int word = KTG_TAB_FULL;
-    KTG_TRY(read_id(object, "edge", &r->edge_ids, &tab->edge));
-    KTG_TRY(ktg_json_get_optional(object, "size", KTG_JSON_STRING, &at));
-    if (at.value)
-        KTG_TRY(ktg_json_word(object, "size", ktg_json_tab_sizes, &word));
-    tab->size = (ktg_tab_size)word;
-    KTG_TRY(ktg_json_get(object, "polygon", KTG_JSON_ARRAY, &polygon));
-    size_t length = ktg_json_length(&polygon);
-    if (length < 3 || length > KTG_TAB_CORNERS)
-        return ktg_json_refuse(&polygon, "must have 3 to %d points, but it has %zu",
-                               KTG_TAB_CORNERS, length);
-    tab->corner_count = (uint32_t)length;
-    for (size_t i = 0; i < length; i++) {
-        double numbers[2];
-        KTG_TRY(ktg_json_item(&polygon, i, KTG_JSON_ARRAY, &at));
-        KTG_TRY(ktg_json_numbers(&at, 2, numbers));
-        tab->corners[i] = (ktg_vec2){numbers[0], numbers[1]};
-    }
-    return KTG_OK;
-}
-
-static ktg_status read_tabs(const ktg_json *object, const reader *r, ktg_pattern_piece *piece) {
-    ktg_json list, item;
-    KTG_TRY(ktg_json_get(object, "tabs", KTG_JSON_ARRAY, &list));
-    piece->tab_count = ktg_json_length(&list);
-    TAKE(object, piece->tabs, piece->tab_count, ktg_pattern_tab);
-    for (size_t i = 0; i < piece->tab_count; i++) {
-        KTG_TRY(ktg_json_item(&list, i, KTG_JSON_OBJECT, &item));
-        KTG_TRY(read_tab(&item, r, &piece->tabs[i]));
-    }
-    return KTG_OK;
-}
-
-static ktg_status read_lines(const ktg_json *object, ktg_pattern_piece *piece) {
-    ktg_json list, item, points;
-    int word;
-    KTG_TRY(ktg_json_get(object, "lines", KTG_JSON_ARRAY, &list));
-    size_t length = ktg_json_length(&list);
-    TAKE(object, piece->lines, length, ktg_pattern_line);
-    piece->line_count = length;
-    for (size_t i = 0; i < length; i++) {
-        ktg_pattern_line *line = &piece->lines[i];
-        KTG_TRY(ktg_json_item(&list, i, KTG_JSON_OBJECT, &item));
-        KTG_TRY(ktg_json_word(&item, "kind", ktg_json_line_kinds, &word));
-        line->kind = (ktg_line_kind)word;
-        KTG_TRY(ktg_json_get(&item, "points", KTG_JSON_ARRAY, &points));
-        KTG_TRY(read_points(&points, &line->points, &line->point_count));
-    }
-    return KTG_OK;
-}
-
-/* A number that may be left out. */
-static ktg_status read_optional(const ktg_json *object, const char *key, double otherwise,
-                                double *number) {
-    ktg_json at;
-    *number = otherwise;
-    KTG_TRY(ktg_json_get_optional(object, key, KTG_JSON_NUMBER, &at));
-    return at.value ? ktg_json_number(object, key, number) : KTG_OK;
-}
-
-static ktg_status read_label(const ktg_json *object, const reader *r, ktg_pattern_label *label) {
-    ktg_json at;
-    KTG_TRY(ktg_json_get(object, "text", KTG_JSON_STRING, &at));
-    size_t length = json_string_length(at.value);
-    if (length >= sizeof label->text)
-        return ktg_json_refuse(&at, "has %zu bytes, but a label has %zu at most", length,
-                               sizeof label->text - 1);
-    memcpy(label->text, json_string_value(at.value), length);
-    KTG_TRY(ktg_json_number(object, "x", &label->at.x));
-    KTG_TRY(ktg_json_number(object, "y", &label->at.y));
-    KTG_TRY(read_optional(object, "rotation_deg", 0, &label->rotation));
-    label->rotation = ktg_json_radians(label->rotation);
-    KTG_TRY(read_optional(object, "height_mm", LABEL_HEIGHT_MM, &label->height_mm));
-    label->edge = KTG_NONE;
-    KTG_TRY(ktg_json_get_optional(object, "edge", KTG_JSON_INTEGER, &at));
-    return at.value ? ktg_json_ids_find(&r->edge_ids, &at, &label->edge) : KTG_OK;
-}
-
-static ktg_status read_labels(const ktg_json *object, const reader *r, ktg_pattern_piece *piece) {
-    ktg_json list, item;
-    KTG_TRY(ktg_json_get(object, "labels", KTG_JSON_ARRAY, &list));
-    piece->label_count = ktg_json_length(&list);
-    TAKE(object, piece->labels, piece->label_count, ktg_pattern_label);
-    for (size_t i = 0; i < piece->label_count; i++) {
-        KTG_TRY(ktg_json_item(&list, i, KTG_JSON_OBJECT, &item));
-        KTG_TRY(read_label(&item, r, &piece->labels[i]));
-    }
-    return KTG_OK;
-}
-
-static ktg_status read_piece(const ktg_json *object, const reader *r, ktg_pattern_piece *piece) {
-    ktg_json at;
-    piece->component = KTG_NONE;
-    KTG_TRY(ktg_json_text(object, "name", &piece->name));
-    KTG_TRY(ktg_json_get(object, "vertices", KTG_JSON_ARRAY, &at));
-    KTG_TRY(read_points(&at, &piece->vertices, &piece->vertex_count));
-    KTG_TRY(read_faces(object, r->pattern, piece));
-    KTG_TRY(ktg_json_get(object, "outline", KTG_JSON_ARRAY, &at));
-    if (ktg_json_length(&at) > 0)
-        KTG_TRY(read_points(&at, &piece->outline, &piece->outline_count));
-    KTG_TRY(read_tabs(object, r, piece));
-    KTG_TRY(read_lines(object, piece));
-    KTG_TRY(read_labels(object, r, piece));
-    KTG_TRY(ktg_json_get(object, "cut", KTG_JSON_OBJECT, &at));
-    KTG_TRY(ktg_json_count(&at, "count", MOST_COUNT, &piece->cut_count));
-    return ktg_json_count(&at, "mirrored", MOST_COUNT, &piece->cut_mirrored);
-}
-
-static ktg_status read_pieces(reader *r) {
-    ktg_pattern *p = r->pattern;
-    TAKE(&r->root, p->pieces, r->piece_ids.count, ktg_pattern_piece);
-    p->piece_count = r->piece_ids.count;
-    for (size_t i = 0; i < p->piece_count; i++) {
-        ktg_json item;
-        KTG_TRY(ktg_json_item(&r->pieces, i, KTG_JSON_OBJECT, &item));
-        KTG_TRY(read_piece(&item, r, &p->pieces[i]));
-    }
-    return KTG_OK;
-}
-
 /* ---- components --------------------------------------------------------------------------- */
 
-static ktg_status read_component(const ktg_json *object, const reader *r, uint32_t component) {
+static ktg_status read_component(const ktg_json *object, const ktg_json_reader *r,
+                                 uint32_t component) {
     ktg_json list, item;
     uint32_t piece;
     KTG_TRY(ktg_json_text(object, "name", &r->pattern->components[component].name));
@@ -259,7 +93,7 @@ static ktg_status read_component(const ktg_json *object, const reader *r, uint32
     return KTG_OK;
 }
 
-static ktg_status read_components(const reader *r) {
+static ktg_status read_components(const ktg_json_reader *r) {
     ktg_pattern *p = r->pattern;
     ktg_json list, item;
     ktg_json_ids ids = {0};
@@ -267,7 +101,7 @@ static ktg_status read_components(const reader *r) {
     ktg_status status = ktg_json_ids_read(&list, &ids);
     ktg_json_ids_free(&ids);
     KTG_TRY(status);
-    TAKE(&list, p->components, ktg_json_length(&list), ktg_pattern_component);
+    KTG_JSON_TAKE(&list, p->components, ktg_json_length(&list), ktg_pattern_component);
     p->component_count = ktg_json_length(&list);
     for (size_t i = 0; i < p->component_count; i++) {
         KTG_TRY(ktg_json_item(&list, i, KTG_JSON_OBJECT, &item));
@@ -283,7 +117,8 @@ static ktg_status read_components(const reader *r) {
 
 /* ---- edges -------------------------------------------------------------------------------- */
 
-static ktg_status read_sides(const ktg_json *object, const reader *r, ktg_pattern_edge *edge) {
+static ktg_status read_sides(const ktg_json *object, const ktg_json_reader *r,
+                             ktg_pattern_edge *edge) {
     ktg_json list, item;
     KTG_TRY(ktg_json_get(object, "sides", KTG_JSON_ARRAY, &list));
     size_t length = ktg_json_length(&list);
@@ -292,14 +127,15 @@ static ktg_status read_sides(const ktg_json *object, const reader *r, ktg_patter
     edge->side_count = (uint32_t)length;
     for (size_t s = 0; s < length; s++) {
         KTG_TRY(ktg_json_item(&list, s, KTG_JSON_OBJECT, &item));
-        KTG_TRY(read_id(&item, "piece", &r->piece_ids, &edge->sides[s].piece));
+        KTG_TRY(ktg_json_read_id(&item, "piece", &r->piece_ids, &edge->sides[s].piece));
         KTG_TRY(ktg_json_count(&item, "face", r->pattern->face_count, &edge->sides[s].face));
         KTG_TRY(ktg_json_count(&item, "corner", 3, &edge->sides[s].corner));
     }
     return KTG_OK;
 }
 
-static ktg_status read_edge(const ktg_json *object, const reader *r, ktg_pattern_edge *edge) {
+static ktg_status read_edge(const ktg_json *object, const ktg_json_reader *r,
+                            ktg_pattern_edge *edge) {
     ktg_json at;
     int word;
     uint32_t tab = 0;
@@ -318,9 +154,9 @@ static ktg_status read_edge(const ktg_json *object, const reader *r, ktg_pattern
     return KTG_OK;
 }
 
-static ktg_status read_edges(const reader *r) {
+static ktg_status read_edges(const ktg_json_reader *r) {
     ktg_pattern *p = r->pattern;
-    TAKE(&r->root, p->edges, r->edge_ids.count, ktg_pattern_edge);
+    KTG_JSON_TAKE(&r->root, p->edges, r->edge_ids.count, ktg_pattern_edge);
     p->edge_count = r->edge_ids.count;
     for (size_t i = 0; i < p->edge_count; i++) {
         ktg_json item;
@@ -349,10 +185,10 @@ static uint8_t guess_side(const ktg_pattern *p, const ktg_pattern_seam *seam, ui
     return meets != next[0] && meets != next[1];
 }
 
-static ktg_status read_first_sides(const ktg_json *object, const reader *r,
+static ktg_status read_first_sides(const ktg_json *object, const ktg_json_reader *r,
                                    ktg_pattern_seam *seam) {
     ktg_json list, item;
-    TAKE(object, seam->first_side, seam->edge_count, uint8_t);
+    KTG_JSON_TAKE(object, seam->first_side, seam->edge_count, uint8_t);
     KTG_TRY(ktg_json_get_optional(object, "first_side", KTG_JSON_ARRAY, &list));
     if (list.value)
         KTG_TRY(ktg_json_expect_length(&list, seam->edge_count));
@@ -368,7 +204,7 @@ static ktg_status read_first_sides(const ktg_json *object, const reader *r,
 }
 
 /* The second side lists the same edges, in the same order or backwards. */
-static ktg_status check_second_side(const ktg_json *list, const reader *r,
+static ktg_status check_second_side(const ktg_json *list, const ktg_json_reader *r,
                                     const ktg_pattern_seam *seam) {
     KTG_TRY(ktg_json_expect_length(list, seam->edge_count));
     bool same = true, backwards = true;
@@ -384,18 +220,18 @@ static ktg_status check_second_side(const ktg_json *list, const reader *r,
                              : ktg_json_refuse(list, "must be the edges of the other side");
 }
 
-static ktg_status read_seam_side(const ktg_json *sides, int s, const reader *r,
+static ktg_status read_seam_side(const ktg_json *sides, int s, const ktg_json_reader *r,
                                  ktg_pattern_seam *seam) {
     ktg_json side, list, item;
     KTG_TRY(ktg_json_item(sides, (size_t)s, KTG_JSON_OBJECT, &side));
-    KTG_TRY(read_id(&side, "piece", &r->piece_ids, &seam->pieces[s]));
+    KTG_TRY(ktg_json_read_id(&side, "piece", &r->piece_ids, &seam->pieces[s]));
     KTG_TRY(ktg_json_number(&side, "length_mm", &seam->lengths_mm[s]));
     KTG_TRY(ktg_json_get(&side, "edges", KTG_JSON_ARRAY, &list));
     if (s == 1)
         return check_second_side(&list, r, seam);
     if (ktg_json_length(&list) == 0)
         return ktg_json_refuse(&list, "must not be empty");
-    TAKE(&list, seam->edges, ktg_json_length(&list), uint32_t);
+    KTG_JSON_TAKE(&list, seam->edges, ktg_json_length(&list), uint32_t);
     seam->edge_count = (uint32_t)ktg_json_length(&list);
     for (uint32_t i = 0; i < seam->edge_count; i++) {
         KTG_TRY(ktg_json_item(&list, i, KTG_JSON_INTEGER, &item));
@@ -404,7 +240,7 @@ static ktg_status read_seam_side(const ktg_json *sides, int s, const reader *r,
     return KTG_OK;
 }
 
-static ktg_status read_seam(const ktg_json *object, const reader *r, uint32_t index) {
+static ktg_status read_seam(const ktg_json *object, const ktg_json_reader *r, uint32_t index) {
     ktg_pattern_seam *seam = &r->pattern->seams[index];
     ktg_json sides, side, list, item;
     KTG_TRY(ktg_json_get(object, "sides", KTG_JSON_ARRAY, &sides));
@@ -424,7 +260,7 @@ static ktg_status read_seam(const ktg_json *object, const reader *r, uint32_t in
     return KTG_OK;
 }
 
-static ktg_status read_seams(const reader *r) {
+static ktg_status read_seams(const ktg_json_reader *r) {
     ktg_pattern *p = r->pattern;
     ktg_json list, item;
     ktg_json_ids ids = {0};
@@ -432,7 +268,7 @@ static ktg_status read_seams(const reader *r) {
     ktg_status status = ktg_json_ids_read(&list, &ids);
     ktg_json_ids_free(&ids);
     KTG_TRY(status);
-    TAKE(&list, p->seams, ktg_json_length(&list), ktg_pattern_seam);
+    KTG_JSON_TAKE(&list, p->seams, ktg_json_length(&list), ktg_pattern_seam);
     p->seam_count = ktg_json_length(&list);
     for (size_t i = 0; i < p->seam_count; i++) {
         KTG_TRY(ktg_json_item(&list, i, KTG_JSON_OBJECT, &item));
@@ -443,7 +279,8 @@ static ktg_status read_seams(const reader *r) {
 
 /* ---- sheets ------------------------------------------------------------------------------- */
 
-static ktg_status read_sheet(const ktg_json *object, const reader *r, ktg_pattern_sheet *sheet) {
+static ktg_status read_sheet(const ktg_json *object, const ktg_json_reader *r,
+                             ktg_pattern_sheet *sheet) {
     ktg_json list, item;
     int word;
     KTG_TRY(ktg_json_word(object, "kind", ktg_json_sheet_kinds, &word));
@@ -453,12 +290,12 @@ static ktg_status read_sheet(const ktg_json *object, const reader *r, ktg_patter
     KTG_TRY(ktg_json_get(object, "printable", KTG_JSON_ARRAY, &list));
     KTG_TRY(ktg_json_numbers(&list, 4, sheet->printable));
     KTG_TRY(ktg_json_get(object, "placements", KTG_JSON_ARRAY, &list));
-    TAKE(&list, sheet->placements, ktg_json_length(&list), ktg_pattern_placement);
+    KTG_JSON_TAKE(&list, sheet->placements, ktg_json_length(&list), ktg_pattern_placement);
     sheet->placement_count = ktg_json_length(&list);
     for (size_t i = 0; i < sheet->placement_count; i++) {
         ktg_pattern_placement *placement = &sheet->placements[i];
         KTG_TRY(ktg_json_item(&list, i, KTG_JSON_OBJECT, &item));
-        KTG_TRY(read_id(&item, "piece", &r->piece_ids, &placement->piece));
+        KTG_TRY(ktg_json_read_id(&item, "piece", &r->piece_ids, &placement->piece));
         KTG_TRY(ktg_json_number(&item, "x", &placement->x));
         KTG_TRY(ktg_json_number(&item, "y", &placement->y));
         KTG_TRY(ktg_json_number(&item, "rotation_deg", &placement->rotation));
@@ -467,7 +304,7 @@ static ktg_status read_sheet(const ktg_json *object, const reader *r, ktg_patter
     return KTG_OK;
 }
 
-static ktg_status read_sheets(const reader *r) {
+static ktg_status read_sheets(const ktg_json_reader *r) {
     ktg_pattern *p = r->pattern;
     ktg_json list, item;
     ktg_json_ids ids = {0};
@@ -475,7 +312,7 @@ static ktg_status read_sheets(const reader *r) {
     ktg_status status = ktg_json_ids_read(&list, &ids);
     ktg_json_ids_free(&ids);
     KTG_TRY(status);
-    TAKE(&list, p->sheets, ktg_json_length(&list), ktg_pattern_sheet);
+    KTG_JSON_TAKE(&list, p->sheets, ktg_json_length(&list), ktg_pattern_sheet);
     p->sheet_count = ktg_json_length(&list);
     for (size_t i = 0; i < p->sheet_count; i++) {
         KTG_TRY(ktg_json_item(&list, i, KTG_JSON_OBJECT, &item));
@@ -486,7 +323,7 @@ static ktg_status read_sheets(const reader *r) {
 
 /* ---- the whole file ----------------------------------------------------------------------- */
 
-static ktg_status read_pattern(reader *r) {
+static ktg_status read_pattern(ktg_json_reader *r) {
     if (!json_is_object(r->root.value))
         return ktg_json_refuse(&r->root, "is no Katagami pattern (an object is expected)");
     KTG_TRY(read_head(&r->root, r->pattern));
@@ -495,7 +332,7 @@ static ktg_status read_pattern(reader *r) {
     KTG_TRY(ktg_json_ids_read(&r->pieces, &r->piece_ids));
     KTG_TRY(ktg_json_get(&r->root, "edges", KTG_JSON_ARRAY, &r->edges));
     KTG_TRY(ktg_json_ids_read(&r->edges, &r->edge_ids));
-    KTG_TRY(read_pieces(r));
+    KTG_TRY(ktg_json_read_pieces(r));
     KTG_TRY(read_components(r));
     KTG_TRY(read_edges(r));
     KTG_TRY(read_seams(r));
@@ -521,7 +358,7 @@ ktg_status ktg_pattern_read_json(ktg_context *context, const char *path, ktg_pat
     char *bytes = NULL;
     size_t size = 0;
     json_t *root = NULL;
-    reader r = {0};
+    ktg_json_reader r = {0};
     *pattern = NULL;
     ktg_status status = ktg_file_read(context, path, MOST_BYTES, &bytes, &size);
     if (status == KTG_OK)

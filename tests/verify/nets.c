@@ -54,6 +54,15 @@ static const uint32_t saddle_faces[][3] = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 
 static const uint32_t saddle_cuts[][2] = {{0, 1}};
 const net saddle = NET(saddle, saddle_cuts);
 
+/* A flat square with a square hole, in one ring and cut open along one edge. */
+static const ktg_vec3 ring_vertices[] = {{0, 0, 0},   {60, 0, 0},  {60, 60, 0}, {0, 60, 0},
+                                         {20, 20, 0}, {40, 20, 0}, {40, 40, 0}, {20, 40, 0}};
+static const uint32_t ring_faces[][3] = {{0, 1, 4}, {1, 5, 4}, {1, 2, 5}, {2, 6, 5},
+                                         {2, 3, 6}, {3, 7, 6}, {3, 0, 7}, {0, 4, 7}};
+static const uint32_t ring_cuts[][2] = {{0, 4}};
+const net ring = {ring_vertices, 8, ring_faces, 8, NULL, 0, 0, false};
+const net opened_ring = {ring_vertices, 8, ring_faces, 8, ring_cuts, 1, 0, false};
+
 static const ktg_vec3 two_vertices[] = {{0, 0, 0},  {40, 0, 0},  {10, 35, 0},  {15, 12, 30},
                                         {0, 0, 90}, {40, 0, 90}, {10, 35, 90}, {15, 12, 120}};
 static const uint32_t two_faces[][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3},

@@ -26,6 +26,7 @@ uint32_t net_edge_index(const ktg_pattern *pattern, uint32_t a, uint32_t b);
 /* Drops outlines and makes them anew from faces and tabs as they are now. */
 void net_outlines(ktg_context *context, ktg_pattern *pattern);
 
-extern const net tetrahedron, cube, box_and_lid, open_box, slit, useless_slit, saddle, two_parts;
+extern const net tetrahedron, cube, box_and_lid, open_box, slit, useless_slit, saddle, two_parts,
+    ring, opened_ring;
 
 #endif

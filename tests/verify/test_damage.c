@@ -269,6 +269,13 @@ static void a_cut_that_is_none_is_refused(void **state) {
     refuse(state, "coincide along their whole length: it should be a fold");
 }
 
+static void a_ring_needs_its_cut(void **state) {
+    take(state, &opened_ring); /* both copies coincide, but they keep the outline one walk */
+    accept(state);
+    take(state, &ring);
+    refuse(state, "Piece 1 has a hole: its border is not one closed walk");
+}
+
 static void a_wrong_angle_is_refused_and_does_not_refold(void **state) {
     ktg_pattern *p = take(state, &cube);
     net_edge(p, 0, 1)->angle += 1e-5;
@@ -584,6 +591,7 @@ int main(void) {
         CASE(a_cut_called_a_border_is_refused),
         CASE(kinds_are_what_the_surface_says),
         CASE(a_cut_that_is_none_is_refused),
+        CASE(a_ring_needs_its_cut),
         CASE(a_wrong_angle_is_refused_and_does_not_refold),
         CASE(a_length_off_by_a_millionth_is_refused),
         CASE(overlapping_faces_are_named),
