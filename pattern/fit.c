@@ -7,8 +7,6 @@
 
 #include "core/memory.h"
 
-#include <string.h>
-
 /* Relative: what is left free for rounding, and how narrow the bracket becomes. */
 #define SPARE  1e-9
 #define NARROW 1e-3

@@ -2,7 +2,6 @@
 #include "pattern/label_box.h"
 
 #include <stdio.h>
-#include <string.h>
 
 #define LETTER_WIDTH 0.85
 #define DOT_WIDTH    0.45

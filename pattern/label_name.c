@@ -39,34 +39,28 @@ static void name_text(const ktg_pattern *pattern, uint32_t p, char text[32]) {
              length ? rest : rest + (*rest == ' '));
 }
 
-/* The half-edges a name on `face` may not lie across: of paper, those around its flat region; of
- * cloth, the piece's border. */
-static bool is_in_the_way(const ktg_topology *t, uint32_t h, uint32_t face) {
-    if (t->pattern->mode == KTG_CLOTH)
-        return t->place_of[h] != KTG_NONE;
-    return t->region_of[h / 3] == t->region_of[face] && ktg_edge_at(t, h)->kind != KTG_EDGE_FLAT;
-}
-
+/* True when a box on `face` lies across no border and no grain line, and of paper across no fold
+ * around the flat region. */
 static bool lies_clear(ktg_label_sheet *sheet, uint32_t p, uint32_t face,
                        const ktg_label_box *box) {
     const ktg_topology *t = sheet->topology;
     const ktg_pattern_piece *piece = &sheet->pattern->pieces[p];
     if (ktg_label_on_border(sheet, p, box))
         return false;
-    bool alone = t->pattern->mode == KTG_PAPER && t->region_size[t->region_of[face]] == 1;
-    for (uint32_t h = 3 * face; alone && h < 3 * face + 3; h++)
-        if (ktg_label_box_cut(box, ktg_start_of(t, h), ktg_end_of(t, h)))
-            return false;
-    for (size_t i = 0; !alone && i < 3 * piece->face_count; i++) {
-        uint32_t h = 3 * piece->faces[i / 3] + (uint32_t)(i % 3);
-        if (is_in_the_way(t, h, face) &&
-            ktg_label_box_cut(box, ktg_start_of(t, h), ktg_end_of(t, h)))
-            return false;
-    }
     for (size_t i = 0; i < piece->line_count; i++)
         if (piece->lines[i].kind == KTG_LINE_GRAIN &&
             ktg_label_box_cut(box, piece->lines[i].points[0], piece->lines[i].points[1]))
             return false;
+    if (t->pattern->mode == KTG_CLOTH)
+        return true;
+    uint32_t region = t->region_of[face];
+    bool alone = t->region_size[region] == 1;
+    for (size_t i = 0; i < (alone ? 3 : 3 * piece->face_count); i++) {
+        uint32_t h = 3 * (alone ? face : piece->faces[i / 3]) + (uint32_t)(i % 3);
+        if (t->region_of[h / 3] == region && ktg_edge_at(t, h)->kind != KTG_EDGE_FLAT &&
+            ktg_label_box_cut(box, ktg_start_of(t, h), ktg_end_of(t, h)))
+            return false;
+    }
     return true;
 }
 
@@ -114,14 +108,20 @@ static ktg_label_box candidate(const ktg_topology *t, uint32_t face, uint32_t k)
     return (ktg_label_box){at, along, {0, 0}};
 }
 
+static bool fits(ktg_label_sheet *sheet, uint32_t p, uint32_t face, double wide, double mm,
+                 ktg_label_box *box) {
+    box->half = (ktg_vec2){wide * mm / 2, mm / 2};
+    return lies_clear(sheet, p, face, box) && !covers_label(&sheet->pattern->pieces[p], box);
+}
+
 /* The largest height, more than `least`, at which the text fits the candidate's place; 0: none. */
 static double fitting_height(ktg_label_sheet *sheet, uint32_t p, uint32_t face, double wide,
                              double most, double least, ktg_label_box *box) {
-    for (double mm = most; mm > least; mm *= SHRINK) {
-        box->half = (ktg_vec2){wide * mm / 2, mm / 2};
-        if (lies_clear(sheet, p, face, box) && !covers_label(&sheet->pattern->pieces[p], box))
+    if (!fits(sheet, p, face, wide, least, box))
+        return 0;
+    for (double mm = most; mm > least; mm *= SHRINK)
+        if (fits(sheet, p, face, wide, mm, box))
             return mm;
-    }
     return 0;
 }
 
@@ -131,37 +131,60 @@ static double area_of(const ktg_topology *t, uint32_t face) {
                       ktg_sub2(ktg_corner_at(t, 3 * face + 2), a));
 }
 
+/* The best place found so far. */
+typedef struct name_place {
+    ktg_label_box box;
+    uint32_t face;
+    double height; /* 0: it does not fit anywhere yet */
+    double away;   /* squared distance to the piece's middle */
+} name_place;
+
+static ktg_vec2 middle_of(const ktg_pattern_piece *piece) {
+    ktg_box box = ktg_box_of(piece->vertices, piece->vertex_count);
+    return ktg_mul2(ktg_add2(box.low, box.high), 0.5);
+}
+
+/* Keeps the candidate where it is higher, or as high and nearer to the middle. */
+static void consider(ktg_label_sheet *sheet, uint32_t p, uint32_t face, uint32_t k, double wide,
+                     double most, ktg_vec2 middle, name_place *best) {
+    ktg_label_box box = candidate(sheet->topology, face, k);
+    ktg_vec2 v = ktg_sub2(box.at, middle);
+    double away = ktg_dot2(v, v), least = fmax(best->height, 0.999 * KTG_LABEL_LEAST_MM);
+    if (best->height >= most && away >= best->away)
+        return;
+    double mm = fitting_height(sheet, p, face, wide, most, least * (1 - 1e-9), &box);
+    if (mm > best->height * (1 + 1e-9) || (mm >= most && away < best->away))
+        *best = (name_place){box, face, mm, away};
+}
+
+/* Where nothing fits: the least height, in the largest face. */
+static name_place in_largest_face(const ktg_topology *t, const ktg_pattern_piece *piece,
+                                  double wide) {
+    uint32_t largest = piece->faces[0];
+    for (size_t i = 1; i < piece->face_count; i++)
+        if (area_of(t, piece->faces[i]) > area_of(t, largest))
+            largest = piece->faces[i];
+    name_place place = {candidate(t, largest, 0), largest, KTG_LABEL_LEAST_MM, 0};
+    place.box.half = (ktg_vec2){wide * KTG_LABEL_LEAST_MM / 2, KTG_LABEL_LEAST_MM / 2};
+    return place;
+}
+
 ktg_status ktg_label_name(ktg_context *context, ktg_label_sheet *sheet, uint32_t p) {
     const ktg_pattern *pattern = sheet->pattern;
     const ktg_pattern_piece *piece = &pattern->pieces[p];
-    const ktg_topology *t = sheet->topology;
     bool cloth = pattern->mode == KTG_CLOTH;
     char text[32];
     name_text(pattern, p, text);
     if (!*text || (!cloth && pattern->piece_count < 2) || piece->face_count == 0)
         return KTG_OK;
     double wide = ktg_label_width(text), most = cloth ? CLOTH_NAME_MM : PAPER_NAME_MM;
-    double best = 0.999 * KTG_LABEL_LEAST_MM, largest = 0;
-    ktg_label_box place = {0};
-    uint32_t place_face = KTG_NONE;
+    ktg_vec2 middle = middle_of(piece);
+    name_place best = {.face = KTG_NONE, .away = INFINITY};
     size_t step = piece->face_count / MOST_FACES + 1;
-    for (size_t i = 0; i < piece->face_count; i += step) {
-        uint32_t face = piece->faces[i];
-        bool larger = area_of(t, face) > largest * (1 + 1e-9);
-        for (uint32_t k = 0; k < (cloth ? 1 : 6) && best < most; k++) {
-            ktg_label_box box = candidate(t, face, k);
-            double mm = fitting_height(sheet, p, face, wide, most, best, &box);
-            if (mm > best * (1 + 1e-9)) {
-                best = mm;
-                place = box;
-                place_face = face;
-            } else if (larger && best < KTG_LABEL_LEAST_MM) { /* nothing fits yet */
-                box.half = (ktg_vec2){wide * KTG_LABEL_LEAST_MM / 2, KTG_LABEL_LEAST_MM / 2};
-                place = box;
-                place_face = face;
-            }
-        }
-        largest = fmax(largest, area_of(t, face));
-    }
-    return ktg_label_write(context, sheet, p, place_face, KTG_NONE, text, &place);
+    for (size_t i = 0; i < piece->face_count; i += step)
+        for (uint32_t k = 0; k < (cloth ? 1 : 6); k++)
+            consider(sheet, p, piece->faces[i], k, wide, most, middle, &best);
+    if (best.face == KTG_NONE)
+        best = in_largest_face(sheet->topology, piece, wide);
+    return ktg_label_write(context, sheet, p, best.face, KTG_NONE, text, &best.box);
 }

@@ -7,7 +7,6 @@
 #include "core/memory.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 /* What a tab is worth, besides its trapezoid's value (1 .. 2.5): having one at all, and standing on
  * the side the policy prefers. */

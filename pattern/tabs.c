@@ -3,8 +3,6 @@
 
 #include "core/memory.h"
 
-#include <string.h>
-
 static void drop_plan(ktg_tab_plan *plan) {
     ktg_free(plan->cuts);
     ktg_free(plan->slots);
