@@ -178,12 +178,12 @@ void ktg_boxes_remove(ktg_boxes *tree, uint32_t item) {
     ktg_boxes_set(tree, item, no_box);
 }
 
-ktg_status ktg_boxes_query(ktg_context *context, const ktg_boxes *tree, ktg_box box,
+ktg_status ktg_boxes_query(ktg_context *context, const ktg_boxes *tree, ktg_box box, size_t most,
                            uint32_t **found, size_t *capacity, size_t *count) {
     uint32_t stack[64], depth = 0; /* one waits per level, and there are at most 33 levels */
     *count = 0;
     stack[depth++] = 1;
-    while (depth > 0) {
+    while (depth > 0 && *count < most) {
         uint32_t node = stack[--depth];
         if (!ktg_box_meets(tree->nodes[node], box))
             continue;

@@ -29,9 +29,10 @@ void ktg_boxes_set(ktg_boxes *tree, uint32_t item, ktg_box box);
 /* An item goes. */
 void ktg_boxes_remove(ktg_boxes *tree, uint32_t item);
 
-/* The items whose boxes meet `box`, in *found (grown as needed, *capacity its size, the caller
- * frees it). */
+/* The items whose boxes meet `box`, `most` at most, in *found (grown as needed, *capacity its size,
+ * the caller frees it). */
 KTG_NODISCARD ktg_status ktg_boxes_query(ktg_context *context, const ktg_boxes *tree, ktg_box box,
-                                         uint32_t **found, size_t *capacity, size_t *count);
+                                         size_t most, uint32_t **found, size_t *capacity,
+                                         size_t *count);
 
 #endif

@@ -98,13 +98,16 @@ static ktg_status count_pairs(ktg_context *context, const ktg_mesh *mesh, pairs_
         ktg_vec3 p[3], q[3];
         if (i % 1024 == 0)
             KTG_TRY(ktg_check_cancel(context));
-        KTG_TRY(ktg_boxes_query(context, w->tree, w->boxes[i], &w->found, &w->capacity, &count));
+        KTG_TRY(ktg_boxes_query(context, w->tree, w->boxes[i], SIZE_MAX, &w->found, &w->capacity,
+                                &count));
         face_corners(mesh, w->faces[i], p);
         for (size_t k = 0; k < count; k++) {
             if (w->found[k] <= i)
                 continue;
             face_corners(mesh, w->faces[w->found[k]], q);
-            *pairs += *pairs < UINT32_MAX && ktg_triangles_intersect(p, q);
+            *pairs += ktg_triangles_intersect(p, q);
+            if (*pairs == KTG_MESH_MOST_INTERSECTIONS)
+                return KTG_OK;
         }
     }
     return KTG_OK;

@@ -13,7 +13,8 @@ extern "C" {
  * when they share all three. Exact. Neither is degenerate. */
 bool ktg_triangles_intersect(const ktg_vec3 p[3], const ktg_vec3 q[3]);
 
-/* The number of pairs of faces that intersect, degenerate faces left out. */
+/* The number of pairs of faces that intersect, degenerate faces left out, up to
+ * KTG_MESH_MOST_INTERSECTIONS. */
 KTG_NODISCARD ktg_status ktg_mesh_intersections(ktg_context *context, const ktg_mesh *mesh,
                                                 uint32_t *pairs);
 

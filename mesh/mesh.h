@@ -124,7 +124,10 @@ KTG_API void ktg_names_free(ktg_names *names);
 /* ---- checking and repair ------------------------------------------------------------------ */
 
 /* What a mesh is and what is wrong with it. Counts refer to the mesh as it is, except
- * `unstitched_edges`: borders that would close if coincident vertices were one. */
+ * `unstitched_edges`: borders that would close if coincident vertices were one. Faces are duplicate
+ * (the second and later ones count) or degenerate by where their corners are, not by their numbers.
+ * Faces with the same vertex twice take no part in edges, borders and what follows from them.
+ * `oriented`: every edge has as many faces that run one way as the other, or one face. */
 typedef struct ktg_mesh_report {
     uint32_t vertices, faces, edges, components;
     uint32_t border_edges, border_loops;
@@ -137,10 +140,12 @@ typedef struct ktg_mesh_report {
     uint32_t unstitched_edges;
     uint32_t inward_components;  /* closed components that are inside out */
     bool intersections_known;    /* self-intersections were looked for and counted */
-    uint32_t self_intersections; /* pairs of faces */
+    uint32_t self_intersections; /* pairs of faces; counting stops at KTG_MESH_MOST_INTERSECTIONS */
     ktg_vec3 low, high;          /* bounding box */
     double area, volume;         /* volume is 0 unless closed and oriented */
 } ktg_mesh_report;
+
+#define KTG_MESH_MOST_INTERSECTIONS 1000000
 
 /* `intersections`: also look for self-intersections (CGAL; a second or so at 100,000 faces). */
 KTG_API KTG_NODISCARD ktg_status ktg_mesh_check(ktg_context *context, const ktg_mesh *mesh,
@@ -160,9 +165,11 @@ typedef struct ktg_repair_report {
  * and degenerate faces go (a sliver whose three corners lie on a line splits its neighbour, so that
  * no hole opens), borders whose vertices coincide exactly are stitched, faces are oriented alike
  * and closed components outwards, edges with more than two faces are split so that the pair that
- * forms the smoothest sheet stays together, vertices are split so that each has one fan. Object,
- * group, material and texture coordinates follow their faces. Self-intersections stay. KTG_GEOMETRY
- * when no face is left. */
+ * forms the smoothest sheet stays together, vertices are split so that each has one fan. (An edge
+ * that still has both its vertices in common with another gets a vertex in its middle, and its
+ * faces become two each.) Object, group, material, polygon, texture coordinates and marked edges
+ * follow. Self-intersections stay. A mesh with nothing to repair stays the same to the bit, and so
+ * does a repaired one. KTG_GEOMETRY when no face is left; on failure the mesh is as it was. */
 KTG_API KTG_NODISCARD ktg_status ktg_mesh_repair(ktg_context *context, ktg_mesh *mesh,
                                                  ktg_repair_report *report);
 
@@ -173,13 +180,14 @@ typedef struct ktg_simplify_report {
     bool target_reached;
 } ktg_simplify_report;
 
-/* Collapses edges by quadric error (Garland & Heckbert 1997; OpenMesh's decimater) to at most
- * `target_faces`, in place. Topology and borders keep, no normal flips, no degenerate face and no
- * self-intersection that was not there before comes into being; where these rules forbid every
- * further collapse it stops early (report->target_reached = false). Objects, groups, materials
- * follow the surviving faces; texture coordinates, polygons and marked edges are dropped when
- * anything changed. The mesh must be a manifold (as ktg_mesh_repair leaves it), else KTG_ARGUMENT.
- */
+/* Collapses edges by quadric error (Garland & Heckbert 1997; on OpenMesh's half-edges, with its
+ * decimater's test of legality) to at most `target_faces`, in place. Topology and borders keep, no
+ * normal flips, no degenerate face and no self-intersection that was not there before comes into
+ * being; where these rules forbid every further collapse it stops early (report->target_reached =
+ * false). Objects, groups, materials follow the surviving faces, and the lines between them are
+ * kept to like edges; texture coordinates, polygons and marked edges are dropped when anything
+ * changed. The mesh must be a manifold (as ktg_mesh_repair leaves it), else KTG_ARGUMENT. On
+ * failure it is as it was. */
 KTG_API KTG_NODISCARD ktg_status ktg_mesh_simplify(ktg_context *context, ktg_mesh *mesh,
                                                    uint32_t target_faces,
                                                    ktg_simplify_report *report);

@@ -13,6 +13,10 @@ static const double least_height[KTG_STRICTNESS_COUNT] = {0.12, 1e-3};
 /* Two faces may fold on each other up to about 11 degrees unless two did already. */
 static const double least_fold_cosine = -0.98;
 
+/* Where so much of the surface is around, or so many pairs of faces intersect, nothing is
+ * collapsed: it would take long to prove that it does no harm. */
+enum { MOST_AROUND = 1024, MOST_PAIRS = 64 };
+
 static bool has_corner(const uint32_t *face, uint32_t vertex) {
     return face[0] == vertex || face[1] == vertex || face[2] == vertex;
 }
@@ -144,9 +148,10 @@ static size_t pairs_with(ktg_simplify *s, uint32_t other, size_t count, size_t o
 }
 
 /* Intersecting pairs among `count` listed shapes, old (`offset` 0) or new (3), and between them and
- * the rest of the surface; counting may stop at `most`. */
+ * the rest of the surface; counting may stop at `most`. *crowded: so much is around that some
+ * may be missing. */
 static ktg_status count_pairs(ktg_simplify *s, size_t count, size_t offset, size_t most,
-                              size_t *pairs) {
+                              size_t *pairs, bool *crowded) {
     size_t found;
     for (size_t i = 0; i < count; i++) {
         const ktg_vec3 *p = s->shapes + 6 * i + offset;
@@ -156,7 +161,9 @@ static ktg_status count_pairs(ktg_simplify *s, size_t count, size_t offset, size
     for (size_t i = 1; i < count; i++)
         all = ktg_box_join(all, s->outlines[i]);
     *pairs = pairs_within(s, count, offset, most);
-    KTG_TRY(ktg_boxes_query(s->context, s->boxes, all, &s->found, &s->found_capacity, &found));
+    KTG_TRY(ktg_boxes_query(s->context, s->boxes, all, MOST_AROUND, &s->found, &s->found_capacity,
+                            &found));
+    *crowded = found == MOST_AROUND;
     for (size_t k = 0; k < found && *pairs < most; k++)
         if (!is_listed(s, s->found[k]))
             *pairs += pairs_with(s, s->found[k], count, offset);
@@ -167,13 +174,11 @@ static ktg_status count_pairs(ktg_simplify *s, size_t count, size_t offset, size
  * need not be known. */
 static ktg_status intersections_allowed(ktg_simplify *s, bool *allowed) {
     size_t after, before = 0;
-    KTG_TRY(count_pairs(s, s->changed_count, 3, 1, &after));
-    if (after > 0) {
-        KTG_TRY(count_pairs(s, s->changed_count + s->removed_count, 0, SIZE_MAX, &before));
-        if (before > 0)
-            KTG_TRY(count_pairs(s, s->changed_count, 3, before + 1, &after));
-    }
-    *allowed = after <= before;
+    bool crowded, any;
+    KTG_TRY(count_pairs(s, s->changed_count, 3, MOST_PAIRS, &after, &crowded));
+    if (after > 0 && after < MOST_PAIRS && !crowded)
+        KTG_TRY(count_pairs(s, s->changed_count + s->removed_count, 0, after, &before, &any));
+    *allowed = after <= before && !crowded;
     return KTG_OK;
 }
 
