@@ -7,8 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Two copies of a vertex nearer than this (normalised units) are one. */
-#define COINCIDENT 1e-9
+/* Two copies of a vertex are one when they are nearer than this part of the shortest edge there (so
+ * that all lengths keep 1e-9), or than what rounding does to normalised coordinates. */
+#define COINCIDENT 1e-10
+#define ROUNDING   1e-14
 
 typedef struct lay {
     const ktg_dual *dual;
@@ -107,17 +109,23 @@ static uint32_t root_of(uint32_t *same, uint32_t point) {
     return point;
 }
 
-static bool coincide(lay *l, uint32_t a, uint32_t b) {
-    return ktg_length2(ktg_sub2(l->points[a], l->points[b])) <= COINCIDENT;
+static double shortest_edge(const lay *l, uint32_t halfedge) {
+    const double *lengths = l->dual->lengths + 3 * (size_t)(halfedge / 3);
+    return fmin(lengths[0], fmin(lengths[1], lengths[2]));
+}
+
+static double apart(const lay *l, uint32_t a, uint32_t b) {
+    return ktg_length2(ktg_sub2(l->points[a], l->points[b]));
 }
 
 /* True when both sides of the edge lie in one piece and on each other. */
-static bool is_closed(lay *l, const ktg_dual_edge *edge) {
+static bool is_closed(const lay *l, const ktg_dual_edge *edge) {
     uint32_t a = edge->halfedge[0], b = edge->halfedge[1];
     if (l->face_piece[a / 3] != l->face_piece[b / 3])
         return false;
-    uint32_t a_next = next_corner(a), b_next = next_corner(b);
-    return coincide(l, l->point[a], l->point[b_next]) && coincide(l, l->point[a_next], l->point[b]);
+    double near = fmax(COINCIDENT * fmin(shortest_edge(l, a), shortest_edge(l, b)), ROUNDING);
+    return apart(l, l->point[a], l->point[next_corner(b)]) <= near &&
+           apart(l, l->point[next_corner(a)], l->point[b]) <= near;
 }
 
 static void close_edge(lay *l, const ktg_dual_edge *edge) {
