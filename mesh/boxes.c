@@ -24,25 +24,6 @@ typedef struct builder {
 
 static const ktg_box no_box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
 
-ktg_box ktg_box_join(ktg_box a, ktg_box b) {
-    a.low.x = a.low.x < b.low.x ? a.low.x : b.low.x;
-    a.low.y = a.low.y < b.low.y ? a.low.y : b.low.y;
-    a.low.z = a.low.z < b.low.z ? a.low.z : b.low.z;
-    a.high.x = a.high.x > b.high.x ? a.high.x : b.high.x;
-    a.high.y = a.high.y > b.high.y ? a.high.y : b.high.y;
-    a.high.z = a.high.z > b.high.z ? a.high.z : b.high.z;
-    return a;
-}
-
-ktg_box ktg_box_of(ktg_vec3 a, ktg_vec3 b, ktg_vec3 c) {
-    return ktg_box_join(ktg_box_join((ktg_box){a, a}, (ktg_box){b, b}), (ktg_box){c, c});
-}
-
-bool ktg_box_meets(ktg_box a, ktg_box b) {
-    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y &&
-           b.low.y <= a.high.y && a.low.z <= b.high.z && b.low.z <= a.high.z;
-}
-
 /* Halves first: the sum of two coordinates might overflow. */
 static double centre(const ktg_box *box, int axis) {
     switch (axis) {

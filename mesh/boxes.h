@@ -10,12 +10,27 @@ typedef struct ktg_box {
 
 typedef struct ktg_boxes ktg_boxes;
 
-/* The box of three points. */
-ktg_box ktg_box_of(ktg_vec3 a, ktg_vec3 b, ktg_vec3 c);
 /* The smallest box around two. */
-ktg_box ktg_box_join(ktg_box a, ktg_box b);
+static inline ktg_box ktg_box_join(ktg_box a, ktg_box b) {
+    a.low.x = a.low.x < b.low.x ? a.low.x : b.low.x;
+    a.low.y = a.low.y < b.low.y ? a.low.y : b.low.y;
+    a.low.z = a.low.z < b.low.z ? a.low.z : b.low.z;
+    a.high.x = a.high.x > b.high.x ? a.high.x : b.high.x;
+    a.high.y = a.high.y > b.high.y ? a.high.y : b.high.y;
+    a.high.z = a.high.z > b.high.z ? a.high.z : b.high.z;
+    return a;
+}
+
+/* The box of three points. */
+static inline ktg_box ktg_box_of(ktg_vec3 a, ktg_vec3 b, ktg_vec3 c) {
+    return ktg_box_join(ktg_box_join((ktg_box){a, a}, (ktg_box){b, b}), (ktg_box){c, c});
+}
+
 /* Touching counts. */
-bool ktg_box_meets(ktg_box a, ktg_box b);
+static inline bool ktg_box_meets(ktg_box a, ktg_box b) {
+    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y &&
+           b.low.y <= a.high.y && a.low.z <= b.high.z && b.low.z <= a.high.z;
+}
 
 /* A tree over `count` items; items[i] is the number that a query gives for box i (NULL: i itself).
  * Item numbers are below `item_limit`, each given once. */
