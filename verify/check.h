@@ -122,7 +122,7 @@ typedef void ktg_check_overlap_found(ktg_check *check, const ktg_check_shape *a,
                                      const ktg_check_shape *b, double depth, void *user);
 
 /* Calls `found` for each pair that overlaps deeper than KTG_VERIFY_DEPTH, in the order of the
- * shapes; keeps the deepest in the report. */
+ * shapes, up to 10,000 of them; keeps the deepest in the report. */
 KTG_NODISCARD ktg_status ktg_check_overlaps(ktg_check *check, const ktg_check_shapes *shapes,
                                             ktg_check_overlap_found *found, void *user);
 

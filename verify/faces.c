@@ -5,8 +5,9 @@
 
 #include <string.h>
 
-#define ROUNDING 1e-14 /* relative to the largest coordinate: what stored coordinates may be off   \
-                        */
+#define ROUNDING                                                                                   \
+    1e-14 /* relative to the largest coordinate: what stored coordinates may be off                \
+           */
 
 static void claim_faces(ktg_check *check) {
     const ktg_pattern *p = check->pattern;

@@ -8,7 +8,9 @@
 
 #include <string.h>
 
-#define MOST_SIDE 65536 /* cells along one side of the grid */
+#define MOST_SIDE  65536 /* cells along one side of the grid */
+#define MOST_CELLS 4     /* for each shape */
+#define MOST_FOUND 10000 /* a heap of faces has a pair for each two: enough is enough */
 
 /* ---- shapes ------------------------------------------------------------------------------- */
 
@@ -85,7 +87,7 @@ typedef struct grid {
     const ktg_check_shapes *shapes;
     box *boxes; /* of each shape */
     ktg_vec2 low;
-    double cell;
+    ktg_vec2 cell; /* its width and height */
     uint32_t columns, rows;
     size_t *first; /* columns * rows + 1: where a cell's shapes start in `entries` */
     uint32_t *entries;
@@ -137,17 +139,17 @@ static range stretch(const ktg_vec2 *points, uint32_t count, double bottom, doub
 static void visit_cells(grid *g, uint32_t shape, cell_visitor *visit, void *user) {
     const ktg_check_shape *s = &g->shapes->shapes[shape];
     const ktg_vec2 *points = g->shapes->points + s->first;
-    double margin = 1e-6 * g->cell;
-    uint32_t r0 = cell_index(g->boxes[shape].low.y - margin - g->low.y, g->cell, g->rows);
-    uint32_t r1 = cell_index(g->boxes[shape].high.y + margin - g->low.y, g->cell, g->rows);
+    ktg_vec2 margin = ktg_mul2(g->cell, 1e-6);
+    uint32_t r0 = cell_index(g->boxes[shape].low.y - margin.y - g->low.y, g->cell.y, g->rows);
+    uint32_t r1 = cell_index(g->boxes[shape].high.y + margin.y - g->low.y, g->cell.y, g->rows);
     for (uint32_t row = r0; row <= r1; row++) {
-        double bottom = g->low.y + row * g->cell;
-        range x = stretch(points, s->count, row == r0 ? -INFINITY : bottom - margin,
-                          row == r1 ? INFINITY : bottom + g->cell + margin);
+        double bottom = g->low.y + row * g->cell.y;
+        range x = stretch(points, s->count, row == r0 ? -INFINITY : bottom - margin.y,
+                          row == r1 ? INFINITY : bottom + g->cell.y + margin.y);
         if (x.low > x.high)
             continue;
-        uint32_t c0 = cell_index(x.low - margin - g->low.x, g->cell, g->columns);
-        uint32_t c1 = cell_index(x.high + margin - g->low.x, g->cell, g->columns);
+        uint32_t c0 = cell_index(x.low - margin.x - g->low.x, g->cell.x, g->columns);
+        uint32_t c1 = cell_index(x.high + margin.x - g->low.x, g->cell.x, g->columns);
         for (uint32_t column = c0; column <= c1; column++)
             visit(g, (size_t)row * g->columns + column, shape, user);
     }
@@ -164,23 +166,30 @@ static void fill_entry(grid *g, size_t cell, uint32_t shape, void *user) {
     g->entries[next[cell]++] = shape;
 }
 
-/* About one cell for each shape. */
+/* Cells of the size of an average shape, so that a strip of needles lies in a row of narrow ones;
+ * not many more cells than shapes. */
 static void choose_cells(grid *g) {
     box all = g->boxes[0];
-    for (size_t i = 1; i < g->shapes->count; i++) {
-        all.low =
-            (ktg_vec2){fmin(all.low.x, g->boxes[i].low.x), fmin(all.low.y, g->boxes[i].low.y)};
-        all.high =
-            (ktg_vec2){fmax(all.high.x, g->boxes[i].high.x), fmax(all.high.y, g->boxes[i].high.y)};
+    double n = (double)g->shapes->count;
+    ktg_vec2 mean = {0, 0};
+    for (size_t i = 0; i < g->shapes->count; i++) {
+        const box *b = &g->boxes[i];
+        all.low = (ktg_vec2){fmin(all.low.x, b->low.x), fmin(all.low.y, b->low.y)};
+        all.high = (ktg_vec2){fmax(all.high.x, b->high.x), fmax(all.high.y, b->high.y)};
+        mean = ktg_madd2(mean, 1 / n, ktg_sub2(b->high, b->low));
     }
-    double width = all.high.x - all.low.x, height = all.high.y - all.low.y;
+    ktg_vec2 size = ktg_sub2(all.high, all.low);
     g->low = all.low;
-    g->cell =
-        fmax(sqrt(width * height / (double)g->shapes->count), fmax(width, height) / MOST_SIDE);
-    if (!(g->cell > 0))
-        g->cell = 1;
-    g->columns = (uint32_t)(width / g->cell) + 1;
-    g->rows = (uint32_t)(height / g->cell) + 1;
+    g->cell = (ktg_vec2){fmax(mean.x, size.x / MOST_SIDE), fmax(mean.y, size.y / MOST_SIDE)};
+    if (!(g->cell.x > 0))
+        g->cell.x = 1;
+    if (!(g->cell.y > 0))
+        g->cell.y = 1;
+    double cells = size.x / g->cell.x * (size.y / g->cell.y);
+    if (cells > MOST_CELLS * n)
+        g->cell = ktg_mul2(g->cell, sqrt(cells / (MOST_CELLS * n)));
+    g->columns = (uint32_t)(size.x / g->cell.x) + 1;
+    g->rows = (uint32_t)(size.y / g->cell.y) + 1;
 }
 
 static ktg_status fill_grid(ktg_context *context, grid *g) {
@@ -210,6 +219,7 @@ typedef struct search {
     ktg_check *check;
     ktg_check_overlap_found *found;
     void *user;
+    size_t count; /* found so far */
 } search;
 
 static bool boxes_apart(const box *a, const box *b) {
@@ -217,20 +227,23 @@ static bool boxes_apart(const box *a, const box *b) {
            b->high.y <= a->low.y;
 }
 
-static void compare(grid *g, const search *s, uint32_t i, uint32_t j) {
+static void compare(grid *g, search *s, uint32_t i, uint32_t j) {
     const ktg_check_shape *a = &g->shapes->shapes[i], *b = &g->shapes->shapes[j];
     if ((g->shapes->by_group && a->group == b->group) || boxes_apart(&g->boxes[i], &g->boxes[j]))
         return;
     double depth = depth_of(g->shapes, a, b);
     s->check->report->deepest_overlap_mm =
         fmax(s->check->report->deepest_overlap_mm, depth / s->check->mm);
-    if (depth > KTG_VERIFY_DEPTH * s->check->mm)
-        s->found(s->check, a, b, depth / s->check->mm, s->user);
+    if (!(depth > KTG_VERIFY_DEPTH * s->check->mm))
+        return;
+    s->count++;
+    s->found(s->check, a, b, depth / s->check->mm, s->user);
 }
 
 /* Compares a shape with the later ones of one cell, each once. */
 static void compare_in_cell(grid *g, size_t cell, uint32_t shape, void *user) {
-    for (size_t k = g->first[cell]; k < g->first[cell + 1]; k++) {
+    const search *s = user;
+    for (size_t k = g->first[cell]; k < g->first[cell + 1] && s->count < MOST_FOUND; k++) {
         uint32_t other = g->entries[k];
         if (other <= shape || g->stamp[other] == shape + 1)
             continue;
@@ -248,7 +261,7 @@ static ktg_status search_grid(ktg_context *context, grid *g, search *s) {
         g->boxes[i] = box_of(g->shapes, &g->shapes->shapes[i]);
     choose_cells(g);
     KTG_TRY(fill_grid(context, g));
-    for (uint32_t i = 0; i < g->shapes->count; i++) {
+    for (uint32_t i = 0; i < g->shapes->count && s->count < MOST_FOUND; i++) {
         if (i % 1024 == 0)
             KTG_TRY(ktg_check_cancel(context));
         visit_cells(g, i, compare_in_cell, s);
@@ -259,7 +272,7 @@ static ktg_status search_grid(ktg_context *context, grid *g, search *s) {
 ktg_status ktg_check_overlaps(ktg_check *check, const ktg_check_shapes *shapes,
                               ktg_check_overlap_found *found, void *user) {
     grid g = {.shapes = shapes};
-    search s = {check, found, user};
+    search s = {check, found, user, 0};
     if (shapes->count < 2)
         return KTG_OK;
     ktg_status status = search_grid(check->context, &g, &s);

@@ -63,12 +63,14 @@ static double left_of(ktg_vec2 a, ktg_vec2 b, ktg_vec2 p) {
     return ktg_cross2(ktg_unit2(ktg_sub2(b, a)), ktg_sub2(p, a));
 }
 
+/* Sides shorter than `near` have no direction worth asking. */
 static bool is_convex(const ktg_pattern_tab *tab, double near) {
-    for (uint32_t i = 0; i < tab->corner_count; i++)
-        for (uint32_t k = 0; k < tab->corner_count; k++)
-            if (!(left_of(tab->corners[i], tab->corners[(i + 1) % tab->corner_count],
-                          tab->corners[k]) >= -near))
+    for (uint32_t i = 0; i < tab->corner_count; i++) {
+        ktg_vec2 a = tab->corners[i], b = tab->corners[(i + 1) % tab->corner_count];
+        for (uint32_t k = 0; ktg_check_distance2(a, b) > near && k < tab->corner_count; k++)
+            if (!(left_of(a, b, tab->corners[k]) >= -near))
                 return false;
+    }
     return ktg_check_area2(tab->corners, tab->corner_count) > 0;
 }
 
@@ -127,7 +129,7 @@ static bool enters(const glued *tab, double near, ktg_vec2 from, ktg_vec2 to) {
     double low = 0, high = 1;
     for (uint32_t i = 0; i < tab->count; i++) {
         ktg_vec2 a = tab->corners[i], b = tab->corners[(i + 1) % tab->count];
-        if (a.x == b.x && a.y == b.y)
+        if (ktg_check_distance2(a, b) <= near)
             continue;
         double p = left_of(a, b, from) - near, q = left_of(a, b, to) - near;
         if (p <= 0 && q <= 0)

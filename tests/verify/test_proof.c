@@ -108,6 +108,28 @@ static void a_hundred_thousand_faces_take_a_moment(void **state) {
     ktg_pattern_free(&p);
 }
 
+/* A fan that winds round its vertex a thousand times: everything lies on everything. */
+static void a_heap_of_faces_ends_soon(void **state) {
+    enum { COUNT = 12000 };
+    ktg_context *context = *state;
+    ktg_verify_report report;
+    ktg_vec3 *positions = ktg_new(context, COUNT + 2, ktg_vec3);
+    uint32_t(*faces)[3] = ktg_alloc(context, COUNT, sizeof *faces);
+    for (uint32_t i = 0; i <= COUNT; i++)
+        positions[i + 1] = (ktg_vec3){20 * cos(i * KTG_PI / 6), 20 * sin(i * KTG_PI / 6), 0.01 * i};
+    for (uint32_t i = 0; i < COUNT; i++) {
+        uint32_t face[3] = {0, i + 1, i + 2};
+        memcpy(faces[i], face, sizeof face);
+    }
+    net fan = {positions, COUNT + 2, (const uint32_t(*)[3])faces, COUNT, NULL, 0, 0, true};
+    ktg_pattern *p = net_make(context, &fan);
+    assert_int_equal(ktg_verify(context, p, NULL, &report), KTG_UNSOUND);
+    assert_int_equal(report.problem_count, 10000);
+    ktg_pattern_free(&p);
+    ktg_free(positions);
+    ktg_free(faces);
+}
+
 /* ---- the JSON form ------------------------------------------------------------------------ */
 
 static void a_pattern_that_was_written_and_read_still_holds(void **state) {
@@ -460,6 +482,7 @@ int main(void) {
         CASE(a_model_of_any_size_gives_the_same_verdict),
         CASE(needles_refold),
         CASE(a_hundred_thousand_faces_take_a_moment),
+        CASE(a_heap_of_faces_ends_soon),
         CASE(a_pattern_that_was_written_and_read_still_holds),
         CASE(the_model_is_recognised_in_any_pose),
         CASE(the_model_may_be_numbered_otherwise),
