@@ -1,5 +1,6 @@
 /* The whole unfolding: what every net must hold, whatever the model. */
 #include "core/memory.h"
+#include "core/random.h"
 #include "core/vec.h"
 #include "tests/unfold/reference.h"
 #include "tests/unfold/shapes.h"
@@ -152,6 +153,18 @@ static void a_flat_sheet_has_no_cut_at_all(void **state) {
     for (size_t e = 0; e < pattern->edge_count; e++)
         assert_int_equal(pattern->edges[e].kind,
                          pattern->edges[e].side_count == 1 ? KTG_EDGE_BORDER : KTG_EDGE_FLAT);
+    ktg_pattern_free(&pattern);
+    ktg_mesh_free(&sheet);
+}
+
+static void a_nearly_flat_sheet_keeps_its_lengths(void **state) {
+    ktg_mesh *sheet = shape_flat(*state, 16);
+    ktg_random random;
+    ktg_random_seed(&random, 1);
+    for (uint32_t v = 0; v < sheet->vertex_count; v++)
+        sheet->positions[v].z = 5e-6 * ktg_random_unit(&random);
+    ktg_pattern *pattern = unfold_quickly(*state, sheet, NULL);
+    assert_sound_net(*state, sheet, pattern);
     ktg_pattern_free(&pattern);
     ktg_mesh_free(&sheet);
 }
@@ -443,6 +456,7 @@ int main(void) {
         cmocka_unit_test(a_cube_of_quadrangles_is_never_cut_inside_them),
         cmocka_unit_test(no_cut_ends_in_a_flat_vertex),
         cmocka_unit_test(a_flat_sheet_has_no_cut_at_all),
+        cmocka_unit_test(a_nearly_flat_sheet_keeps_its_lengths),
         cmocka_unit_test(saddles_have_two_cuts_and_others_one),
         cmocka_unit_test(folds_of_a_convex_model_are_mountains_and_turned_inside_out_valleys),
         cmocka_unit_test(the_same_seed_gives_the_same_net_and_another_seed_another),
