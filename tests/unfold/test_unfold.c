@@ -53,6 +53,26 @@ static void the_smallest_surfaces_unfold(void **state) {
     assert_unfolds(*state, shape_tetrahedron(*state), 1);
 }
 
+static void two_faces_with_three_common_edges_unfold(void **state) {
+    static const ktg_vec3 positions[] = {{0, 0, 0}, {1, 0, 0}, {0.3, 0.8, 0}};
+    static const uint32_t faces[] = {0, 1, 2, 0, 2, 1};
+    assert_unfolds(*state, shape_mesh(*state, positions, 3, faces, 2), 1);
+}
+
+static void vertices_without_faces_change_nothing(void **state) {
+    ktg_mesh *mesh = shape_icosphere(*state, 1), *far = shape_triangle(*state);
+    ktg_mesh *both = shape_beside(*state, mesh, far, (ktg_vec3){1e9, 0, 0});
+    both->face_count--; /* the triangle's vertices stay */
+    ktg_pattern *plain = unfold(*state, mesh, NULL), *pattern = unfold(*state, both, NULL);
+    assert_same_net(plain, pattern, 1);
+    assert_sound_net(*state, both, pattern);
+    ktg_pattern_free(&plain);
+    ktg_pattern_free(&pattern);
+    ktg_mesh_free(&mesh);
+    ktg_mesh_free(&far);
+    ktg_mesh_free(&both);
+}
+
 static void round_models_unfold_into_one_piece(void **state) {
     assert_unfolds(*state, shape_icosphere(*state, 0), 1);
     assert_unfolds(*state, shape_icosphere(*state, 1), 1);
@@ -448,6 +468,8 @@ static void memory_running_out_anywhere_is_a_status(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_smallest_surfaces_unfold),
+        cmocka_unit_test(two_faces_with_three_common_edges_unfold),
+        cmocka_unit_test(vertices_without_faces_change_nothing),
         cmocka_unit_test(round_models_unfold_into_one_piece),
         cmocka_unit_test(models_with_saddles_unfold_into_few_pieces),
         cmocka_unit_test(open_models_unfold),
