@@ -6,8 +6,8 @@
 #include <float.h>
 #include <string.h>
 
-#define COINCIDE 1e-10 /* of the shortest edge there: two copies of a cut that are one line */
-#define ROUNDING 1e-14 /* of the piece's reach: what stored coordinates may be off */
+#define COINCIDE 5e-11 /* of the shortest edge there: two copies of a cut that are one line */
+#define ROUNDING 5e-15 /* of the piece's reach: what stored coordinates may be off */
 #define SHORT    1e-5  /* of the reach: the lengths of shorter edges are measured against this */
 
 static const char *kind_name(ktg_edge_kind kind) {
