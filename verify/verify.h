@@ -33,7 +33,8 @@ typedef struct ktg_verify_report {
  * region, outlines, seams, labels in place, sheets and placements, one sheet place per piece and
  * inside the printable area. With `model` (the file's mesh, after ktg_mesh_repair): the surface
  * equals it up to one similarity when it was not simplified, else the distance is measured.
- * KTG_UNSOUND with the first problems in the message and all counted in the report. */
+ * KTG_UNSOUND with the first problems in the message, one on a line, and all counted in the report
+ * (which may be NULL). KTG_CANCELLED, KTG_MEMORY. */
 KTG_API KTG_NODISCARD ktg_status ktg_verify(ktg_context *context, const ktg_pattern *pattern,
                                             const ktg_mesh *model, ktg_verify_report *report);
 
