@@ -177,6 +177,25 @@ static void a_flat_sheet_has_no_cut_at_all(void **state) {
     ktg_mesh_free(&sheet);
 }
 
+static void a_flat_ring_keeps_the_cut_that_makes_it_one_walk(void **state) {
+    for (uint64_t seed = 1; seed <= 5; seed++) {
+        ktg_mesh *ring = shape_flat(*state, 3);
+        ring->face_count -= 2; /* the middle square goes, the last one takes its place */
+        memcpy(ring->faces + 24, ring->faces + 48, 6 * sizeof *ring->faces);
+        ktg_context_set_seed(*state, seed);
+        ktg_pattern *pattern = unfold_quickly(*state, ring, NULL);
+        assert_sound_net(*state, ring, pattern);
+        assert_int_equal(pattern->piece_count, 1);
+        uint32_t cuts = 0;
+        for (size_t e = 0; e < pattern->edge_count; e++)
+            cuts += pattern->edges[e].kind == KTG_EDGE_CUT;
+        assert_int_equal(cuts, 1); /* no vertex lies inside, so any longer one would part it */
+        ktg_pattern_free(&pattern);
+        ktg_mesh_free(&ring);
+    }
+    ktg_context_set_seed(*state, 1);
+}
+
 static void a_nearly_flat_sheet_keeps_its_lengths(void **state) {
     ktg_mesh *sheet = shape_flat(*state, 16);
     ktg_random random;
@@ -478,6 +497,7 @@ int main(void) {
         cmocka_unit_test(a_cube_of_quadrangles_is_never_cut_inside_them),
         cmocka_unit_test(no_cut_ends_in_a_flat_vertex),
         cmocka_unit_test(a_flat_sheet_has_no_cut_at_all),
+        cmocka_unit_test(a_flat_ring_keeps_the_cut_that_makes_it_one_walk),
         cmocka_unit_test(a_nearly_flat_sheet_keeps_its_lengths),
         cmocka_unit_test(saddles_have_two_cuts_and_others_one),
         cmocka_unit_test(folds_of_a_convex_model_are_mountains_and_turned_inside_out_valleys),
