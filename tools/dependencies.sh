@@ -1,4 +1,5 @@
 # tools/dependencies.sh - installs what a build needs and is missing (sourced by the other tools).
+# shellcheck shell=sh disable=SC2034,SC2154
 #
 # The list is Debian 12's; meson.build checks the same set and names what it misses.
 
@@ -7,9 +8,24 @@ libopenmesh-dev libsuitesparse-dev libcairo2-dev libjansson-dev libcmocka-dev fo
 # what some tests look at the results with, and the formatting lint
 test_packages="poppler-utils clang-format python3"
 
+# run_quietly WHAT COMMAND...: its words are shown only when it fails.
+run_quietly() {
+    what=$1
+    shift
+    log=$(mktemp)
+    if "$@" >"$log" 2>&1; then
+        rm -f "$log"
+        return 0
+    fi
+    tail -n 40 "$log" >&2
+    rm -f "$log"
+    echo "$what failed; its last lines are above." >&2
+    return 1
+}
+
 # install_missing PACKAGE...: says first what it is going to do.
 install_missing() {
-    if ! command -v dpkg-query >/dev/null 2>&1; then
+    if ! command -v dpkg-query >/dev/null 2>&1 || ! command -v apt-get >/dev/null 2>&1; then
         return 0 # not a Debian system: meson names what is missing
     fi
     missing=""
@@ -18,19 +34,23 @@ install_missing() {
             missing="$missing $package"
     done
     [ -z "$missing" ] && return 0
-    echo "Katagami needs these packages and installs them with apt-get:$missing" >&2
     as_root=""
     if [ "$(id -u)" -ne 0 ]; then
         if ! command -v sudo >/dev/null 2>&1; then
-            echo "Neither root nor sudo: please have somebody run  apt-get install$missing" >&2
+            echo "Katagami needs packages that only an administrator can install here. Please have this run:" >&2
+            echo "    apt-get install --no-install-recommends$missing" >&2
             return 1
         fi
         as_root="sudo"
     fi
-    $as_root apt-get update -qq >&2 || return 1
+    echo "Katagami needs these packages and installs them with apt-get:" >&2
     # shellcheck disable=SC2086
-    $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends \
-        $missing >&2
+    echo $missing | fold -s -w 76 | sed 's/^/    /' >&2
+    [ -z "$as_root" ] || sudo true || return 1 # asks for the password where it can be seen
+    run_quietly "apt-get update" $as_root apt-get update || return 1
+    # shellcheck disable=SC2086
+    run_quietly "apt-get install" $as_root env DEBIAN_FRONTEND=noninteractive \
+        apt-get install -y --no-install-recommends $missing
 }
 
 # configure FOLDER [MESON OPTIONS]: sets up a build folder once.
@@ -39,9 +59,14 @@ configure() {
     shift
     [ -f "$folder/build.ninja" ] && return 0
     rm -rf "$folder"
-    meson setup "$folder" "$root" "$@" >"$root/build.log" 2>&1 || {
-        cat "$root/build.log" >&2
-        return 1
-    }
-    rm -f "$root/build.log"
+    run_quietly "meson setup" meson setup "$folder" "$root" "$@"
+}
+
+# build FOLDER [TARGET]: a line that counts on a terminal, silence elsewhere.
+build() {
+    if [ -t 2 ]; then
+        NINJA_STATUS="[%f of %t] " ninja -C "$@" >&2
+    else
+        run_quietly "The build" ninja -C "$@"
+    fi
 }
