@@ -5,43 +5,57 @@
 #include <string.h>
 
 /* Digits of a name are this high at most, in mm. */
-#define PAPER_NAME_MM 3.6
-#define CLOTH_NAME_MM 8.0
-#define SHRINK        0.9
+#define PAPER_NAME_MM  3.6
+#define ACROSS_NAME_MM 2.4 /* over folds, of which it should not hide much */
+#define CLOTH_NAME_MM  8.0
+#define SHRINK         0.9
 
 /* At most this many faces are looked at. */
 #define MOST_FACES 400
 
-/* "body" or, of several pieces, "body 2 of 3"; cut to fit between characters. */
-static void name_text(const ktg_pattern *pattern, uint32_t p, char text[32]) {
-    const ktg_pattern_piece *piece = &pattern->pieces[p];
-    const char *name = NULL;
+/* The most bytes of a label and its end. */
+#define TEXT_SIZE sizeof((ktg_pattern_label){0}.text)
+
+/* Which piece of its component it is: "2 of 3", or nothing where it is the only one. */
+static void part_text(const ktg_pattern *pattern, uint32_t p, char text[TEXT_SIZE]) {
     unsigned count = 0, place = 0;
     for (uint32_t i = 0; i < pattern->piece_count; i++) {
-        if (pattern->pieces[i].component != piece->component)
+        if (pattern->pieces[i].component != pattern->pieces[p].component)
             continue;
         count++;
         place += i <= p;
     }
-    if (pattern->mode == KTG_CLOTH)
-        name = piece->name;
-    if ((!name || !*name) && piece->component < pattern->component_count)
-        name = pattern->components[piece->component].name;
-    char rest[32] = "";
-    if (count > 1 && (pattern->mode == KTG_PAPER || !piece->name || !*piece->name))
-        snprintf(rest, sizeof rest, " %u of %u", place, count);
-    size_t length = name ? strlen(name) : 0, room = 31 - strlen(rest);
-    if (length > room)
-        length = room;
-    while (length > 0 && name && ((unsigned char)name[length] & 0xc0) == 0x80)
-        length--;
-    snprintf(text, 32, "%.*s%s", (int)length, name ? name : "",
-             length ? rest : rest + (*rest == ' '));
+    *text = '\0';
+    if (count > 1)
+        snprintf(text, TEXT_SIZE, "%u of %u", place, count);
 }
 
-/* True when a box on `face` lies across no border and no grain line, and of paper across no fold
- * around the flat region. */
-static bool lies_clear(ktg_label_sheet *sheet, uint32_t p, uint32_t face,
+/* "body" or, of several pieces, "body 2 of 3"; cut to fit between characters. A piece of cloth has
+ * a name of its own. */
+static void name_text(const ktg_pattern *pattern, uint32_t p, const char *part,
+                      char text[TEXT_SIZE]) {
+    const ktg_pattern_piece *piece = &pattern->pieces[p];
+    bool own = pattern->mode == KTG_CLOTH && piece->name && *piece->name;
+    const char *name = own ? piece->name : NULL;
+    if (!own && piece->component < pattern->component_count)
+        name = pattern->components[piece->component].name;
+    size_t part_length = own ? 0 : strlen(part), length = name ? strlen(name) : 0;
+    size_t room = TEXT_SIZE - 1 - part_length - (part_length > 0);
+    if (length > room)
+        length = room;
+    while (length > 0 && ((unsigned char)name[length] & 0xc0) == 0x80)
+        length--;
+    if (length > 0)
+        memcpy(text, name, length);
+    if (length > 0 && part_length > 0)
+        text[length++] = ' ';
+    memcpy(text + length, part, part_length);
+    text[length + part_length] = '\0';
+}
+
+/* True when a box on `face` lies across no border and no grain line, and of paper, unless
+ * `across_folds`, across no fold around the flat region. */
+static bool lies_clear(ktg_label_sheet *sheet, uint32_t p, uint32_t face, bool across_folds,
                        const ktg_label_box *box) {
     const ktg_topology *t = sheet->topology;
     const ktg_pattern_piece *piece = &sheet->pattern->pieces[p];
@@ -51,7 +65,7 @@ static bool lies_clear(ktg_label_sheet *sheet, uint32_t p, uint32_t face,
         if (piece->lines[i].kind == KTG_LINE_GRAIN &&
             ktg_label_box_cut(box, piece->lines[i].points[0], piece->lines[i].points[1]))
             return false;
-    if (t->pattern->mode == KTG_CLOTH)
+    if (t->pattern->mode == KTG_CLOTH || across_folds)
         return true;
     uint32_t region = t->region_of[face];
     bool alone = t->region_size[region] == 1;
@@ -89,38 +103,58 @@ static ktg_vec2 incentre(const ktg_topology *t, uint32_t face) {
     return weight > 0 ? ktg_mul2(sum, 1 / weight) : ktg_corner_at(t, 3 * face);
 }
 
-/* A candidate: the text in the middle of a face, or of a side it shares with its flat region, along
- * one of its sides (cloth: level). */
-static ktg_label_box candidate(const ktg_topology *t, uint32_t face, uint32_t k) {
-    uint32_t side = 3 * face + k % 3;
-    ktg_vec2 a = ktg_start_of(t, side), b = ktg_end_of(t, side);
-    ktg_vec2 along = ktg_unit2(ktg_sub2(b, a));
-    if (along.x < 0 || (along.x == 0 && along.y < 0))
-        along = ktg_mul2(along, -1);
-    if (t->pattern->mode == KTG_CLOTH)
-        along = (ktg_vec2){1, 0};
-    bool in_middle_of_side = k >= 3 && ktg_edge_at(t, side)->kind == KTG_EDGE_FLAT;
-    ktg_vec2 at = in_middle_of_side ? ktg_mul2(ktg_add2(a, b), 0.5) : incentre(t, face);
-    if (in_middle_of_side && t->pattern->mode == KTG_PAPER)
-        along = ktg_unit2(ktg_sub2(ktg_end_of(t, ktg_next_corner(side)), b));
-    if (along.x < 0 || (along.x == 0 && along.y < 0))
-        along = ktg_mul2(along, -1);
-    return (ktg_label_box){at, along, {0, 0}};
+/* A name that looks for its place. */
+typedef struct name_search {
+    ktg_label_sheet *sheet;
+    uint32_t piece;
+    ktg_vec2 middle;   /* of the piece */
+    double wide;       /* the text's width over its height */
+    double most;       /* the height wished for */
+    bool across_folds; /* where there is no other place */
+} name_search;
+
+/* How many candidates a face has. */
+static uint32_t candidate_count(const name_search *search) {
+    return search->sheet->pattern->mode == KTG_CLOTH ? 1 : search->across_folds ? 9 : 6;
 }
 
-static bool fits(ktg_label_sheet *sheet, uint32_t p, uint32_t face, double wide, double mm,
-                 ktg_label_box *box) {
-    box->half = (ktg_vec2){wide * mm / 2, mm / 2};
-    return lies_clear(sheet, p, face, box) && !covers_label(&sheet->pattern->pieces[p], box);
+/* Text that does not stand on its head. */
+static ktg_vec2 readable(ktg_vec2 along) {
+    return along.x < 0 || (along.x == 0 && along.y < 0) ? ktg_mul2(along, -1) : along;
+}
+
+/* A candidate: the text in the middle of a face along one of its sides (cloth: level); from the
+ * third on in the middle of a side the name may lie across, along the next side, then upright to
+ * it. */
+static ktg_label_box candidate(const name_search *search, uint32_t face, uint32_t k) {
+    const ktg_topology *t = search->sheet->topology;
+    uint32_t side = 3 * face + k % 3;
+    ktg_vec2 a = ktg_start_of(t, side), b = ktg_end_of(t, side), along = ktg_sub2(b, a);
+    ktg_edge_kind kind = ktg_edge_at(t, side)->kind;
+    bool crossable = search->across_folds ? t->place_of[side] == KTG_NONE : kind == KTG_EDGE_FLAT;
+    ktg_vec2 at = incentre(t, face);
+    if (k >= 3 && crossable) {
+        at = ktg_mul2(ktg_add2(a, b), 0.5);
+        along = k >= 6 ? ktg_perp2(along) : ktg_sub2(ktg_end_of(t, ktg_next_corner(side)), b);
+    }
+    if (t->pattern->mode == KTG_CLOTH)
+        along = (ktg_vec2){1, 0};
+    return (ktg_label_box){at, readable(ktg_unit2(along)), {0, 0}};
+}
+
+static bool fits(const name_search *search, uint32_t face, double mm, ktg_label_box *box) {
+    box->half = (ktg_vec2){search->wide * mm / 2, mm / 2};
+    return lies_clear(search->sheet, search->piece, face, search->across_folds, box) &&
+           !covers_label(&search->sheet->pattern->pieces[search->piece], box);
 }
 
 /* The largest height, more than `least`, at which the text fits the candidate's place; 0: none. */
-static double fitting_height(ktg_label_sheet *sheet, uint32_t p, uint32_t face, double wide,
-                             double most, double least, ktg_label_box *box) {
-    if (!fits(sheet, p, face, wide, least, box))
+static double fitting_height(const name_search *search, uint32_t face, double least,
+                             ktg_label_box *box) {
+    if (!fits(search, face, least, box))
         return 0;
-    for (double mm = most; mm > least; mm *= SHRINK)
-        if (fits(sheet, p, face, wide, mm, box))
+    for (double mm = search->most; mm > least; mm *= SHRINK)
+        if (fits(search, face, mm, box))
             return mm;
     return 0;
 }
@@ -145,46 +179,79 @@ static ktg_vec2 middle_of(const ktg_pattern_piece *piece) {
 }
 
 /* Keeps the candidate where it is higher, or as high and nearer to the middle. */
-static void consider(ktg_label_sheet *sheet, uint32_t p, uint32_t face, uint32_t k, double wide,
-                     double most, ktg_vec2 middle, name_place *best) {
-    ktg_label_box box = candidate(sheet->topology, face, k);
-    ktg_vec2 v = ktg_sub2(box.at, middle);
+static void consider(const name_search *search, uint32_t face, uint32_t k, name_place *best) {
+    ktg_label_box box = candidate(search, face, k);
+    ktg_vec2 v = ktg_sub2(box.at, search->middle);
     double away = ktg_dot2(v, v), least = fmax(best->height, 0.999 * KTG_LABEL_LEAST_MM);
-    if (best->height >= most && away >= best->away)
+    if (best->height >= search->most && away >= best->away)
         return;
-    double mm = fitting_height(sheet, p, face, wide, most, least * (1 - 1e-9), &box);
-    if (mm > best->height * (1 + 1e-9) || (mm >= most && away < best->away))
+    double mm = fitting_height(search, face, least * (1 - 1e-9), &box);
+    if (mm > best->height * (1 + 1e-9) || (mm >= search->most && away < best->away))
         *best = (name_place){box, face, mm, away};
 }
 
+static name_place best_place(const name_search *search) {
+    const ktg_pattern_piece *piece = &search->sheet->pattern->pieces[search->piece];
+    name_place best = {.face = KTG_NONE, .away = INFINITY};
+    size_t step = piece->face_count / MOST_FACES + 1;
+    for (size_t i = 0; i < piece->face_count; i += step)
+        for (uint32_t k = 0; k < candidate_count(search); k++)
+            consider(search, piece->faces[i], k, &best);
+    return best;
+}
+
 /* Where nothing fits: the least height, in the largest face. */
-static name_place in_largest_face(const ktg_topology *t, const ktg_pattern_piece *piece,
-                                  double wide) {
+static name_place in_largest_face(const name_search *search) {
+    const ktg_topology *t = search->sheet->topology;
+    const ktg_pattern_piece *piece = &search->sheet->pattern->pieces[search->piece];
     uint32_t largest = piece->faces[0];
     for (size_t i = 1; i < piece->face_count; i++)
         if (area_of(t, piece->faces[i]) > area_of(t, largest))
             largest = piece->faces[i];
-    name_place place = {candidate(t, largest, 0), largest, KTG_LABEL_LEAST_MM, 0};
-    place.box.half = (ktg_vec2){wide * KTG_LABEL_LEAST_MM / 2, KTG_LABEL_LEAST_MM / 2};
+    name_place place = {candidate(search, largest, 0), largest, KTG_LABEL_LEAST_MM, 0};
+    place.box.half = (ktg_vec2){search->wide * KTG_LABEL_LEAST_MM / 2, KTG_LABEL_LEAST_MM / 2};
     return place;
+}
+
+/* Cloth is never without a name. */
+static ktg_status name_cloth(ktg_context *context, name_search *search, const char *text) {
+    search->wide = ktg_label_width(text);
+    search->most = CLOTH_NAME_MM;
+    name_place best = best_place(search);
+    if (best.face == KTG_NONE)
+        best = in_largest_face(search);
+    return ktg_label_write(context, search->sheet, search->piece, best.face, KTG_NONE, text,
+                           &best.box);
+}
+
+/* The whole name between the folds, across them, then only which part it is; a piece too small for
+ * that goes without: its seams have numbers. */
+static ktg_status name_paper(ktg_context *context, name_search *search, const char *text,
+                             const char *part) {
+    for (int attempt = 0; attempt < 4; attempt++) {
+        const char *words = attempt < 2 ? text : part;
+        if (!*words)
+            break;
+        search->wide = ktg_label_width(words);
+        search->across_folds = attempt % 2 == 1;
+        search->most = search->across_folds ? ACROSS_NAME_MM : PAPER_NAME_MM;
+        name_place best = best_place(search);
+        if (best.face != KTG_NONE)
+            return ktg_label_write(context, search->sheet, search->piece, best.face, KTG_NONE,
+                                   words, &best.box);
+    }
+    return KTG_OK;
 }
 
 ktg_status ktg_label_name(ktg_context *context, ktg_label_sheet *sheet, uint32_t p) {
     const ktg_pattern *pattern = sheet->pattern;
     const ktg_pattern_piece *piece = &pattern->pieces[p];
     bool cloth = pattern->mode == KTG_CLOTH;
-    char text[32];
-    name_text(pattern, p, text);
+    char part[TEXT_SIZE], text[TEXT_SIZE];
+    part_text(pattern, p, part);
+    name_text(pattern, p, part, text);
     if (!*text || (!cloth && pattern->piece_count < 2) || piece->face_count == 0)
         return KTG_OK;
-    double wide = ktg_label_width(text), most = cloth ? CLOTH_NAME_MM : PAPER_NAME_MM;
-    ktg_vec2 middle = middle_of(piece);
-    name_place best = {.face = KTG_NONE, .away = INFINITY};
-    size_t step = piece->face_count / MOST_FACES + 1;
-    for (size_t i = 0; i < piece->face_count; i += step)
-        for (uint32_t k = 0; k < (cloth ? 1 : 6); k++)
-            consider(sheet, p, piece->faces[i], k, wide, most, middle, &best);
-    if (best.face == KTG_NONE)
-        best = in_largest_face(sheet->topology, piece, wide);
-    return ktg_label_write(context, sheet, p, best.face, KTG_NONE, text, &best.box);
+    name_search search = {.sheet = sheet, .piece = p, .middle = middle_of(piece)};
+    return cloth ? name_cloth(context, &search, text) : name_paper(context, &search, text, part);
 }

@@ -215,6 +215,73 @@ static void pieces_are_named_when_there_are_several(void **state) {
     ktg_pattern_free(&p);
 }
 
+/* Half the room a label takes along its text and upright to it, as if letters were 0.6 wide. */
+static ktg_vec2 half_of(const ktg_pattern_label *label) {
+    return (ktg_vec2){0.3 * label->height_mm * (double)strlen(label->text), label->height_mm / 2};
+}
+
+/* True when the middle line of one label comes into the room of the other. */
+static bool runs_into(const ktg_pattern_label *a, const ktg_pattern_label *b) {
+    ktg_vec2 half = half_of(b), x = {cos(b->rotation), sin(b->rotation)};
+    for (int i = -20; i <= 20; i++) {
+        ktg_vec2 along = {cos(a->rotation), sin(a->rotation)};
+        ktg_vec2 v = ktg_sub2(ktg_madd2(a->at, half_of(a).x * i / 20, along), b->at);
+        if (fabs(ktg_dot2(v, x)) < half.x && fabs(ktg_cross2(x, v)) < half.y)
+            return true;
+    }
+    return false;
+}
+
+static bool lies_in_piece(const ktg_pattern_piece *piece, ktg_vec2 at) {
+    for (size_t f = 0; f < piece->face_count; f++) {
+        bool inside = true;
+        for (int k = 0; k < 3; k++) {
+            ktg_vec2 a = piece->vertices[piece->corners[3 * f + k]];
+            ktg_vec2 b = piece->vertices[piece->corners[3 * f + (k + 1) % 3]];
+            inside &= ktg_cross2(ktg_sub2(b, a), ktg_sub2(at, a)) > 0;
+        }
+        if (inside)
+            return true;
+    }
+    return false;
+}
+
+static void assert_name_has_its_room(const ktg_pattern_piece *piece,
+                                     const ktg_pattern_label *name) {
+    ktg_vec2 along = {cos(name->rotation), sin(name->rotation)};
+    for (int end = -1; end <= 1; end += 2)
+        assert_true(lies_in_piece(piece, ktg_madd2(name->at, end * half_of(name).x, along)));
+    for (size_t i = 0; i < piece->label_count; i++)
+        assert_true(&piece->labels[i] == name ||
+                    (!runs_into(name, &piece->labels[i]) && !runs_into(&piece->labels[i], name)));
+}
+
+static void names_on_small_pieces_stay_inside_clear_of_numbers(void **state) {
+    uint32_t names = 0;
+    for (double radius = 8; radius < 40; radius *= 1.25)
+        for (uint64_t seed = 1; seed < 6; seed++) {
+            ktg_pattern *p = finished(*state, make_bumpy_ball(radius, 0.3, 1, seed), 6, seed, NULL);
+            for (size_t i = 0; i < p->piece_count; i++)
+                for (size_t k = 0; k < p->pieces[i].label_count; k++)
+                    if (p->pieces[i].labels[k].edge == KTG_NONE) {
+                        assert_name_has_its_room(&p->pieces[i], &p->pieces[i].labels[k]);
+                        names++;
+                    }
+            ktg_pattern_free(&p);
+        }
+    assert_true(names > 100);
+}
+
+static void a_piece_too_small_for_its_name_says_which_part_it_is_or_nothing(void **state) {
+    ktg_pattern *p = finished(*state, make_tetrahedron(18), 1, 1, NULL);
+    assert_false(has_text(p, "ball 1 of 4"));
+    assert_true(has_text(p, "1 of 4"));
+    ktg_pattern_free(&p);
+    p = finished(*state, make_tetrahedron(8), 1, 1, NULL);
+    assert_false(has_text(p, "1 of 4"));
+    ktg_pattern_free(&p);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_cut_edge_is_in_one_seam_and_seams_are_chains),
@@ -225,6 +292,8 @@ int main(void) {
         cmocka_unit_test(numbers_that_read_upside_down_have_a_dot),
         cmocka_unit_test(numbers_in_a_face_do_not_cover_each_other),
         cmocka_unit_test(pieces_are_named_when_there_are_several),
+        cmocka_unit_test(names_on_small_pieces_stay_inside_clear_of_numbers),
+        cmocka_unit_test(a_piece_too_small_for_its_name_says_which_part_it_is_or_nothing),
     };
     return cmocka_run_group_tests_name("pattern/seams", tests, make_context, drop_context);
 }
