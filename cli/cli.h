@@ -24,10 +24,11 @@ typedef struct settings {
     ktg_pipeline_options pipeline;
     const char *outputs[CLI_MOST_OUTPUTS];
     size_t output_count;
-    const char *report;
     const char *arguments[2]; /* what is not an option */
     int argument_count;
     bool faces_given;
+    const char *size_given; /* the option that said how large it becomes */
+    char complaint[256];    /* why a value was refused, where its option knows more than its form */
     uint64_t seed;
     bool quiet, help;
 } settings;
@@ -58,8 +59,12 @@ void cli_end_progress(void);
 /* Tells the context's failure on standard error; the exit code that goes with it. */
 exit_code cli_fail(ktg_context *context, ktg_status status);
 
-/* Prints text that came from a file: control characters become '?'. */
+/* Prints text that came from a file or the command line: control characters and what is not UTF-8
+ * become '?'. */
 void cli_print_safe(FILE *stream, const char *text);
+
+/* The same for a text of several lines; each is indented. */
+void cli_print_lines(FILE *stream, const char *text);
 
 /* ---- commands (cli/command_*.c) ----------------------------------------------------------- */
 

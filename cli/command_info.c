@@ -21,7 +21,7 @@ static void print_size(const ktg_mesh_report *r) {
 }
 
 static void print_shape(const ktg_mesh_report *r) {
-    printf("vertices      %u\nfaces         %u triangles\nedges         %u\ncomponents    %u\n",
+    printf("vertices      %u\nfaces         %u (triangles)\nedges         %u\ncomponents    %u\n",
            r->vertices, r->faces, r->edges, r->components);
     if (r->closed)
         printf("closed        yes");
@@ -35,23 +35,35 @@ static void print_shape(const ktg_mesh_report *r) {
         printf("volume        %.6g cubic units\n", r->volume);
 }
 
-static bool print_problem(uint32_t count, const char *what) {
+static bool print_problem(uint32_t count, const char *one, const char *many) {
     if (count > 0)
-        printf("  %u %s\n", count, what);
+        printf("  %u %s\n", count, count == 1 ? one : many);
     return count > 0;
 }
 
 static void print_problems(const ktg_mesh_report *r) {
     printf("problems\n");
-    bool any = print_problem(r->duplicate_faces, "duplicate faces");
-    any |= print_problem(r->degenerate_faces, "faces without area");
-    any |= print_problem(r->unreferenced_vertices, "unused vertices");
-    any |= print_problem(r->misoriented_edges, "edges whose faces run the same way round");
-    any |= print_problem(r->unstitched_edges, "open edges that coincide with others");
-    any |= print_problem(r->nonmanifold_edges, "edges with more than two faces");
-    any |= print_problem(r->nonmanifold_vertices, "vertices where sheets touch in a point");
-    any |= print_problem(r->inward_components, "closed parts that are inside out");
-    any |= print_problem(r->self_intersections, "pairs of faces that pass through each other");
+    const struct {
+        uint32_t count;
+        const char *one, *many;
+    } found[] = {
+        {r->duplicate_faces, "duplicate face", "duplicate faces"},
+        {r->degenerate_faces, "face without area", "faces without area"},
+        {r->unreferenced_vertices, "unused vertex", "unused vertices"},
+        {r->misoriented_edges, "edge whose faces run the same way round",
+         "edges whose faces run the same way round"},
+        {r->unstitched_edges, "open edge that coincides with another",
+         "open edges that coincide with others"},
+        {r->nonmanifold_edges, "edge with more than two faces", "edges with more than two faces"},
+        {r->nonmanifold_vertices, "vertex where sheets touch in a point",
+         "vertices where sheets touch in a point"},
+        {r->inward_components, "closed part that is inside out",
+         "closed parts that are inside out"},
+        {r->self_intersections, "pair of faces that pass through each other",
+         "pairs of faces that pass through each other"}};
+    bool any = false;
+    for (size_t i = 0; i < sizeof found / sizeof *found; i++)
+        any |= print_problem(found[i].count, found[i].one, found[i].many);
     if (!any)
         printf("  none\n");
 }
@@ -81,7 +93,7 @@ static ktg_status print_components(ktg_context *context, const ktg_mesh *mesh) {
         printf(": %u faces\n", faces);
     }
     if (status == KTG_OK && count > MOST_LISTED)
-        printf("  and %u more parts\n", count - MOST_LISTED);
+        printf("  and %u more part%s\n", count - MOST_LISTED, count - MOST_LISTED == 1 ? "" : "s");
     ktg_names_free(&names);
     ktg_free(face_component);
     ktg_adjacency_free(&adjacency);
@@ -94,13 +106,14 @@ static ktg_status run(ktg_context *context, const settings *s) {
     ktg_repair_report repair;
     ktg_status status = ktg_mesh_read(context, s->arguments[0], KTG_MESH_BY_ENDING, &mesh);
     if (status == KTG_OK)
-        status = ktg_mesh_check(context, mesh, true, &report);
+        status =
+            ktg_about_file(context, s->arguments[0], ktg_mesh_check(context, mesh, true, &report));
     cli_end_progress();
     if (status == KTG_OK) {
         print_shape(&report);
         print_size(&report);
         print_problems(&report);
-        status = ktg_mesh_repair(context, mesh, &repair);
+        status = ktg_about_file(context, s->arguments[0], ktg_mesh_repair(context, mesh, &repair));
     }
     if (status == KTG_OK) {
         print_repair(&repair, mesh);

@@ -1,9 +1,18 @@
 /* cli/command_simplify.c - katagami simplify: a model with fewer faces. */
 #include "cli/cli.h"
 
-static const char usage[] = "usage: katagami simplify MODEL --faces N -o FILE\n\n"
-                            "Repairs a model, simplifies it by quadric error and writes it as "
-                            ".obj, .stl, .ply or .off.\n\n";
+#include <sys/stat.h>
+
+static const char usage[] = "usage: katagami simplify MODEL [--faces N] -o FILE\n\n"
+                            "Repairs a model, simplifies it by quadric error to N faces (500) and "
+                            "writes it as\n.obj, .stl, .ply or .off.\n\n";
+
+/* A model is not replaced by a poorer one of the same name. */
+static bool is_the_model(const settings *s) {
+    struct stat model, output;
+    return stat(s->arguments[0], &model) == 0 && stat(s->outputs[0], &output) == 0 &&
+           model.st_dev == output.st_dev && model.st_ino == output.st_ino;
+}
 
 static ktg_status run(ktg_context *context, const settings *s) {
     ktg_mesh *mesh = NULL;
@@ -12,7 +21,7 @@ static ktg_status run(ktg_context *context, const settings *s) {
     ktg_simplify_report simplify = {0};
     ktg_status status = ktg_mesh_read(context, s->arguments[0], KTG_MESH_BY_ENDING, &mesh);
     if (status == KTG_OK)
-        status = ktg_mesh_repair(context, mesh, &repair);
+        status = ktg_about_file(context, s->arguments[0], ktg_mesh_repair(context, mesh, &repair));
     if (status == KTG_OK && s->pipeline.faces != KTG_ALL_FACES)
         status = ktg_mesh_simplify(context, mesh, s->pipeline.faces, &simplify);
     if (status == KTG_OK)
@@ -47,6 +56,12 @@ exit_code command_simplify(int argc, char **argv) {
     if (s.output_count != 1 || ktg_mesh_format_of(s.outputs[0]) == KTG_MESH_BY_ENDING) {
         fputs("katagami simplify: wants one -o FILE that ends in .obj, .stl, .ply or .off\n",
               stderr);
+        return EXIT_USAGE;
+    }
+    if (is_the_model(&s)) {
+        fputs("katagami simplify: ", stderr);
+        cli_print_safe(stderr, s.outputs[0]);
+        fputs(": is the model itself; name another output\n", stderr);
         return EXIT_USAGE;
     }
     ktg_context *context = cli_context(&s);

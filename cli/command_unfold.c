@@ -42,9 +42,6 @@ static const char *plural(uint32_t count) {
 }
 
 static void tell_result(const settings *s, const ktg_pipeline_report *r) {
-    cli_end_progress();
-    if (s->quiet)
-        return;
     if (r->unfold.stopped_by == KTG_STOPPED_INTERRUPT)
         fputs("interrupted: this is the best pattern so far\n", stderr);
     fprintf(stderr, "%u faces in %u piece%s on %u sheet%s of %s, %.0f %% filled\n", r->faces,
@@ -61,30 +58,6 @@ static void tell_result(const settings *s, const ktg_pipeline_report *r) {
         fprintf(stderr, "%u seam%s; tabs: %u full, %u reduced, %u without room (butt joints)\n",
                 r->finish.seams, plural(r->finish.seams), r->finish.tabs_full,
                 r->finish.tabs_reduced, r->finish.tabs_none);
-    for (size_t i = 0; i < s->output_count; i++) {
-        fputs("wrote ", stderr);
-        cli_print_safe(stderr, s->outputs[i]);
-        fputc('\n', stderr);
-    }
-}
-
-static ktg_status run(ktg_context *context, settings *s) {
-    ktg_pipeline_report report;
-    ktg_output *output = NULL;
-    if (s->report) {
-        ktg_status status = ktg_output_open(context, s->report, &output);
-        if (status != KTG_OK)
-            return status;
-    }
-    ktg_status status = ktg_pipeline_run(context, &s->pipeline, &report);
-    if (status == KTG_OK && output)
-        status = ktg_pipeline_write_report(context, &s->pipeline, &report, output);
-    if (status == KTG_OK && output)
-        status = ktg_output_commit(context, &output);
-    ktg_output_discard(&output);
-    if (status == KTG_OK)
-        tell_result(s, &report);
-    return status;
 }
 
 static exit_code run_pattern(int argc, char **argv, int command, const char *usage) {
@@ -96,11 +69,12 @@ static exit_code run_pattern(int argc, char **argv, int command, const char *usa
         cli_print_options(stdout, command);
         return EXIT_DONE;
     }
-    ktg_context *context = cli_context(&s);
     char *path = default_output(s.arguments[0]);
-    if (!context || !path) {
+    ktg_context *context = path ? cli_context(&s) : NULL;
+    if (!context) {
+        if (!path)
+            fputs("katagami: out of memory\n", stderr);
         free(path);
-        ktg_context_free(&context);
         return EXIT_FAILED;
     }
     if (s.output_count == 0)
@@ -112,7 +86,11 @@ static exit_code run_pattern(int argc, char **argv, int command, const char *usa
     s.pipeline.model = s.arguments[0];
     s.pipeline.outputs = s.outputs;
     s.pipeline.output_count = s.output_count;
-    ktg_status status = run(context, &s);
+    ktg_pipeline_report report;
+    ktg_status status = ktg_pipeline_run(context, &s.pipeline, &report);
+    cli_end_progress();
+    if (status == KTG_OK && !s.quiet)
+        tell_result(&s, &report);
     exit_code code = status == KTG_OK ? EXIT_DONE : cli_fail(context, status);
     ktg_context_free(&context);
     free(path);

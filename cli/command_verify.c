@@ -30,7 +30,7 @@ static ktg_status run(ktg_context *context, const settings *s) {
     if (status == KTG_OK && s->argument_count > 1)
         status = ktg_mesh_read(context, s->arguments[1], KTG_MESH_BY_ENDING, &model);
     if (status == KTG_OK && model)
-        status = ktg_mesh_repair(context, model, &repair);
+        status = ktg_about_file(context, s->arguments[1], ktg_mesh_repair(context, model, &repair));
     if (status == KTG_OK)
         status = ktg_verify(context, pattern, model, &report);
     cli_end_progress();
@@ -39,6 +39,14 @@ static ktg_status run(ktg_context *context, const settings *s) {
     ktg_pattern_free(&pattern);
     ktg_mesh_free(&model);
     return status;
+}
+
+static exit_code tell_unsound(ktg_context *context, const char *path) {
+    fputs("katagami: ", stderr);
+    cli_print_safe(stderr, path);
+    fputs(": this pattern is not sound\n", stderr);
+    cli_print_lines(stderr, ktg_context_message(context));
+    return EXIT_UNSOUND;
 }
 
 exit_code command_verify(int argc, char **argv) {
@@ -54,7 +62,11 @@ exit_code command_verify(int argc, char **argv) {
     if (!context)
         return EXIT_FAILED;
     ktg_status status = run(context, &s);
-    exit_code code = status == KTG_OK ? EXIT_DONE : cli_fail(context, status);
+    exit_code code = EXIT_DONE;
+    if (status == KTG_UNSOUND)
+        code = tell_unsound(context, s.arguments[0]);
+    else if (status != KTG_OK)
+        code = cli_fail(context, status);
     ktg_context_free(&context);
     return code;
 }

@@ -1,7 +1,9 @@
 /* cli/main.c - the program: finds the command. */
 #include "cli/cli.h"
 
+#include <fcntl.h>
 #include <string.h>
+#include <unistd.h>
 
 static const char usage[] =
     "usage: katagami COMMAND ...\n\n"
@@ -25,11 +27,22 @@ static const struct {
 static exit_code flushed(exit_code code) {
     if (fflush(stdout) == 0 && !ferror(stdout))
         return code;
-    fputs("katagami: standard output cannot be written\n", stderr);
-    return code == EXIT_DONE ? EXIT_FAILED : code;
+    if (code != EXIT_DONE)
+        return code; /* which was told already */
+    fputs("katagami: standard output: cannot be written\n", stderr);
+    return EXIT_FAILED;
+}
+
+/* Where one of the three standard streams is closed, the next file that is opened would take its
+ * place, and words meant for people would end up in it. Something that refuses takes it instead. */
+static void hold_standard_streams(void) {
+    for (int stream = 0; stream <= 2; stream++)
+        if (fcntl(stream, F_GETFD) < 0)
+            (void)!open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
 int main(int argc, char **argv) {
+    hold_standard_streams();
     if (argc < 2) {
         fputs(usage, stderr);
         return EXIT_USAGE;

@@ -69,8 +69,11 @@ static int word_index(const char *text, const char *const *words) {
 }
 
 static bool set_output(settings *s, const char *text) {
-    if (s->output_count == CLI_MOST_OUTPUTS)
+    if (s->output_count == CLI_MOST_OUTPUTS) {
+        snprintf(s->complaint, sizeof s->complaint, "not more than %d files can be written",
+                 CLI_MOST_OUTPUTS);
         return false;
+    }
     s->outputs[s->output_count++] = text;
     return true;
 }
@@ -81,35 +84,46 @@ static bool set_faces(settings *s, const char *text) {
     return strcmp(text, "all") == 0 || parse_count32(text, 4, &s->pipeline.faces);
 }
 
-static bool set_size(settings *s, ktg_size_rule rule, const char *text) {
+/* One size decides about all others. */
+static bool note_size(settings *s, ktg_size_rule rule, const char *option) {
+    if (s->size_given && strcmp(s->size_given, option) != 0) {
+        snprintf(s->complaint, sizeof s->complaint, "give one size only, not both %s and %s",
+                 s->size_given, option);
+        return false;
+    }
+    s->size_given = option;
     s->pipeline.size_rule = rule;
-    return cli_parse_length(text, &s->pipeline.size_mm) && s->pipeline.size_mm > 0;
+    return true;
+}
+
+static bool set_size(settings *s, ktg_size_rule rule, const char *option, const char *text) {
+    return note_size(s, rule, option) && cli_parse_length(text, &s->pipeline.size_mm) &&
+           s->pipeline.size_mm > 0;
 }
 
 static bool set_height(settings *s, const char *text) {
-    return set_size(s, KTG_SIZE_HEIGHT, text);
+    return set_size(s, KTG_SIZE_HEIGHT, "--height", text);
 }
 
 static bool set_width(settings *s, const char *text) {
-    return set_size(s, KTG_SIZE_WIDTH, text);
+    return set_size(s, KTG_SIZE_WIDTH, "--width", text);
 }
 
 static bool set_length(settings *s, const char *text) {
-    return set_size(s, KTG_SIZE_LENGTH, text);
+    return set_size(s, KTG_SIZE_LENGTH, "--length", text);
 }
 
 static bool set_scale(settings *s, const char *text) {
-    s->pipeline.size_rule = KTG_SIZE_FACTOR;
-    return parse_number(text, 1e-12, 1e12, &s->pipeline.size_mm);
+    return note_size(s, KTG_SIZE_FACTOR, "--scale") &&
+           parse_number(text, 1e-12, 1e12, &s->pipeline.size_mm);
 }
 
 static bool set_unit(settings *s, const char *text) {
     static const char *const units[] = {"mm", "cm", "m", "in", NULL};
     static const double mm[] = {1, 10, 1000, 25.4};
     int unit = word_index(text, units);
-    s->pipeline.size_rule = KTG_SIZE_FACTOR;
     s->pipeline.size_mm = unit >= 0 ? mm[unit] : 0;
-    return unit >= 0;
+    return note_size(s, KTG_SIZE_FACTOR, "--unit") && unit >= 0;
 }
 
 static bool set_up(settings *s, const char *text) {
@@ -125,7 +139,7 @@ static bool set_paper(settings *s, const char *text) {
         return false;
     ktg_status status = ktg_sheet_parse(context, text, &s->pipeline.layout.sheet);
     if (status != KTG_OK)
-        fprintf(stderr, "katagami: %s\n", ktg_context_message(context));
+        snprintf(s->complaint, sizeof s->complaint, "%s", ktg_context_message(context));
     ktg_context_free(&context);
     return status == KTG_OK;
 }
@@ -251,7 +265,7 @@ static bool set_time(settings *s, const char *text) {
 }
 
 static bool set_report(settings *s, const char *text) {
-    s->report = text;
+    s->pipeline.report = text;
     return true;
 }
 
@@ -277,13 +291,13 @@ typedef struct option_line {
 static const option_line lines[] = {
     {"output", 'o', "FILE", PAPER | CMD_SIMPLIFY, set_output,
      "what to write, by its ending; may be given several times"},
-    {"faces", 'f', "N|all", PAPER | CMD_SIMPLIFY, set_faces, "simplify to N faces"},
+    {"faces", 'f', "N|all", PAPER | CMD_SIMPLIFY, set_faces, "simplify to N faces, at least 4"},
     {"height", 0, "LENGTH", PAPER, set_height, "height of the finished model"},
     {"width", 0, "LENGTH", PAPER, set_width, "its width"},
     {"length", 0, "LENGTH", PAPER, set_length, "its length, the third direction"},
     {"scale", 0, "FACTOR", PAPER, set_scale, "millimetres per unit of the model"},
     {"unit", 0, "mm|cm|m|in", CMD_FLATTEN, set_unit, "the unit of the model file"},
-    {"up", 0, "x|y|z", PAPER | CMD_INFO, set_up, "which axis is height (STL: z, others: y)"},
+    {"up", 0, "x|y|z", PAPER, set_up, "which axis is height (STL: z, others: y)"},
     {"paper", 'p', "FORMAT", PAPER, set_paper, "a4 ... a0, letter, legal, tabloid, WxH (a4)"},
     {"landscape", 0, NULL, PAPER, set_landscape, "turn the sheet"},
     {"margin", 0, "LENGTH", PAPER, set_margin, "left free on every side of a sheet (10mm)"},
@@ -369,12 +383,27 @@ static bool refuse(const char *command, const char *what, const char *text) {
     return false;
 }
 
+/* After getopt's '?': a short option it does not know is in optopt, and may stand among others in
+ * one word; a long one was the word before optind. */
+static bool refuse_option(char **argv) {
+    char letter[3] = {'-', (char)optopt, 0};
+    if (optopt >= 256)
+        return refuse(argv[0], "no value is wanted in ", argv[optind - 1]);
+    return refuse(argv[0], "there is no option ", optopt ? letter : argv[optind - 1]);
+}
+
 static bool apply_line(const option_line *line, settings *s, const char *command) {
     if (line->apply(s, optarg))
         return true;
-    fprintf(stderr, "katagami %s: --%s wants %s, not '", command, line->name, line->value);
-    cli_print_safe(stderr, optarg);
-    fprintf(stderr, "'\n");
+    fprintf(stderr, "katagami %s: ", command);
+    if (s->complaint[0]) {
+        cli_print_safe(stderr, s->complaint);
+    } else {
+        fprintf(stderr, "--%s wants %s, not '", line->name, line->value);
+        cli_print_safe(stderr, optarg);
+        fputc('\'', stderr);
+    }
+    fputc('\n', stderr);
     return false;
 }
 
@@ -387,7 +416,7 @@ static bool run_options(int argc, char **argv, int command, bool landscape_pass,
     int code;
     while ((code = getopt_long(argc, argv, shorts, longs, NULL)) != -1) {
         if (code == '?')
-            return refuse(argv[0], "does not know ", argv[optind - 1]);
+            return refuse_option(argv);
         if (code == ':')
             return refuse(argv[0], "a value is missing after ", argv[optind - 1]);
         const option_line *line = line_of(code, command);

@@ -4,6 +4,7 @@
 #include "core/clock.h"
 
 #include <signal.h>
+#include <string.h>
 #include <unistd.h>
 
 /* A process has one terminal and one set of signal handlers: this is the program's only changing
@@ -14,8 +15,12 @@ static struct {
     double last_seconds;
 } progress;
 
+/* The first Ctrl-C ends searches, the second one the job, a third one the process: it may be
+ * waiting for a file that never comes. */
 static void on_interrupt(int signal_number) {
-    interrupts = signal_number == SIGINT ? interrupts + 1 : 2;
+    interrupts = signal_number == SIGINT || interrupts > 1 ? interrupts + 1 : 2;
+    if (interrupts > 2)
+        _exit(EXIT_INTERRUPTED);
 }
 
 static ktg_wish wish(void *user) {
@@ -23,10 +28,49 @@ static ktg_wish wish(void *user) {
     return interrupts == 0 ? KTG_GO_ON : interrupts == 1 ? KTG_FINISH : KTG_STOP;
 }
 
+/* How many bytes the character at `text` has: UTF-8 without overlong forms (RFC 3629, section 4);
+ * 0 when it is none, or a control character that a terminal might obey. */
+static int printable_bytes(const unsigned char *text) {
+    unsigned char c = text[0];
+    if (c < 0x80)
+        return c >= 32 && c != 127;
+    if (c < 0xc2 || c > 0xf4)
+        return 0;
+    unsigned char low = c == 0xe0 ? 0xa0 : c == 0xf0 ? 0x90 : 0x80;
+    unsigned char high = c == 0xed ? 0x9f : c == 0xf4 ? 0x8f : 0xbf;
+    int count = c < 0xe0 ? 2 : c < 0xf0 ? 3 : 4;
+    if (c == 0xc2)
+        low = 0xa0; /* U+0080 to U+009F are control characters */
+    if (text[1] < low || text[1] > high)
+        return 0;
+    for (int i = 2; i < count; i++)
+        if ((text[i] & 0xc0) != 0x80)
+            return 0;
+    return count;
+}
+
+static void print_line(FILE *stream, const char *text, size_t length) {
+    for (const char *end = text + length; text < end;) {
+        int count = printable_bytes((const unsigned char *)text);
+        if (count == 0)
+            putc('?', stream);
+        else
+            fwrite(text, 1, (size_t)count, stream);
+        text += count == 0 ? 1 : count;
+    }
+}
+
 void cli_print_safe(FILE *stream, const char *text) {
-    for (; *text; text++) {
-        unsigned char c = (unsigned char)*text;
-        putc(c < 32 || c == 127 ? '?' : c, stream);
+    print_line(stream, text, strlen(text));
+}
+
+void cli_print_lines(FILE *stream, const char *text) {
+    while (*text) {
+        size_t length = strcspn(text, "\n");
+        fputs("  ", stream);
+        print_line(stream, text, length);
+        fputc('\n', stream);
+        text += length + (text[length] == '\n');
     }
 }
 
@@ -60,11 +104,13 @@ static void show_note(void *user, ktg_log_level level, const char *text) {
     fputc('\n', stderr);
 }
 
+/* What the caller wants ignored (nohup, a shell's background) stays ignored. */
 static void catch_signals(void) {
-    struct sigaction action = {.sa_handler = on_interrupt, .sa_flags = SA_RESTART};
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
-    sigaction(SIGHUP, &action, NULL);
+    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
+    struct sigaction action = {.sa_handler = on_interrupt, .sa_flags = SA_RESTART}, before;
+    for (size_t i = 0; i < sizeof signals / sizeof *signals; i++)
+        if (sigaction(signals[i], NULL, &before) == 0 && before.sa_handler != SIG_IGN)
+            sigaction(signals[i], &action, NULL);
     signal(SIGPIPE, SIG_IGN); /* a closed pipe is a failed write, told like any other */
 }
 

@@ -4,6 +4,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #ifndef KTG_VERSION
 #define KTG_VERSION "0"
@@ -72,6 +73,15 @@ ktg_status ktg_fail(ktg_context *context, ktg_status status, const char *format,
     vsnprintf(context->message, sizeof context->message, format, arguments);
     va_end(arguments);
     return status;
+}
+
+ktg_status ktg_about_file(ktg_context *context, const char *path, ktg_status status) {
+    if (status != KTG_GEOMETRY && status != KTG_LIMIT)
+        return status;
+    char text[KTG_MESSAGE_SIZE];
+    memcpy(text, context->message, sizeof text);
+    return ktg_fail(context, status, "%s: %s", strcmp(path, "-") == 0 ? "standard input" : path,
+                    text);
 }
 
 void ktg_log(ktg_context *context, ktg_log_level level, const char *format, ...) {

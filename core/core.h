@@ -106,6 +106,10 @@ KTG_API void ktg_context_fail_allocation(ktg_context *context, uint64_t nth);
 KTG_API ktg_status ktg_fail(ktg_context *context, ktg_status status, const char *format, ...)
     KTG_PRINTF(3, 4);
 
+/* For callers of stages that do not know where a shape came from: puts the file's name before the
+ * text of a failure with KTG_GEOMETRY or KTG_LIMIT. Returns `status`, whatever it is. */
+KTG_API ktg_status ktg_about_file(ktg_context *context, const char *path, ktg_status status);
+
 /* For stages: hand a line to the log, a fraction to the progress callback; ask whether to give up
  * (KTG_CANCELLED with a message, or KTG_OK), and whether a search should end with what it has. */
 KTG_API void ktg_log(ktg_context *context, ktg_log_level level, const char *format, ...)
@@ -134,8 +138,12 @@ KTG_API KTG_NODISCARD ktg_status ktg_output_write(ktg_context *context, ktg_outp
 /* Appends text in printf form; numbers are written with a point whatever the locale. */
 KTG_API KTG_NODISCARD ktg_status ktg_output_print(ktg_context *context, ktg_output *output,
                                                   const char *format, ...) KTG_PRINTF(3, 4);
-/* Flushes, closes and renames into place; frees and clears also on failure, after which the old
- * file, if there was one, is still there. */
+/* Flushes and closes, so that a full disk is known now and commit only has to rename: where several
+ * files are to appear together, all are finished before one is committed. Nothing can be appended
+ * any more. KTG_FILE as above; the output is still to be discarded then. */
+KTG_API KTG_NODISCARD ktg_status ktg_output_finish(ktg_context *context, ktg_output *output);
+/* Finishes, where that is not done, and renames into place; frees and clears also on failure, after
+ * which the old file, if there was one, is still there. */
 KTG_API KTG_NODISCARD ktg_status ktg_output_commit(ktg_context *context, ktg_output **output);
 /* Drops what was written; NULL and pointers to NULL are fine. */
 KTG_API void ktg_output_discard(ktg_output **output);

@@ -20,6 +20,8 @@ struct ktg_output {
 };
 
 static ktg_status cannot_write(ktg_context *context, const char *path, int error) {
+    if (strcmp(path, "-") == 0)
+        path = "standard output";
     return ktg_fail(context, KTG_FILE, "%s: cannot be written: %s", path, strerror(error));
 }
 
@@ -119,12 +121,18 @@ static bool close_stream(ktg_output *output) {
     return good;
 }
 
+ktg_status ktg_output_finish(ktg_context *context, ktg_output *output) {
+    if (!output->stream || close_stream(output))
+        return KTG_OK;
+    return cannot_write(context, output->path, errno);
+}
+
 ktg_status ktg_output_commit(ktg_context *context, ktg_output **output) {
-    bool good = close_stream(*output);
-    if (good && (*output)->beside)
-        good = rename((*output)->beside, (*output)->path) == 0;
-    ktg_status status = good ? KTG_OK : cannot_write(context, (*output)->path, errno);
-    if (!good)
+    ktg_status status = ktg_output_finish(context, *output);
+    const char *beside = (*output)->beside;
+    if (status == KTG_OK && beside && rename(beside, (*output)->path) != 0)
+        status = cannot_write(context, (*output)->path, errno);
+    if (status != KTG_OK)
         ktg_output_discard(output);
     else
         output_free(output);

@@ -2,10 +2,13 @@
 #include "pipeline/outputs.h"
 #include "core/memory.h"
 
+#include <errno.h>
+#include <limits.h>
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 typedef enum output_kind {
     OUTPUT_UNKNOWN,
@@ -30,18 +33,65 @@ static output_kind kind_of(const char *path) {
     return OUTPUT_UNKNOWN;
 }
 
+/* The folder of a path, with its slash ("./" where it names none). */
+static bool folder_of(const char *path, char *folder, size_t size) {
+    const char *slash = strrchr(path, '/');
+    int length = slash ? snprintf(folder, size, "%.*s", (int)(slash + 1 - path), path)
+                       : snprintf(folder, size, "./");
+    return length >= 0 && (size_t)length < size;
+}
+
+static bool same_inode(const struct stat *a, const struct stat *b) {
+    return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
+}
+
+/* Two paths of one file, whether it exists or not. Devices may be named as often as one likes. */
 static bool same_file(const char *a, const char *b) {
     struct stat x, y;
+    char folder_a[PATH_MAX], folder_b[PATH_MAX];
+    if (stat(a, &x) == 0 && stat(b, &y) == 0)
+        return S_ISREG(x.st_mode) && same_inode(&x, &y);
     if (strcmp(a, b) == 0)
         return true;
-    return stat(a, &x) == 0 && stat(b, &y) == 0 && S_ISREG(x.st_mode) && x.st_dev == y.st_dev &&
-           x.st_ino == y.st_ino;
+    const char *slash_a = strrchr(a, '/'), *slash_b = strrchr(b, '/');
+    return strcmp(slash_a ? slash_a + 1 : a, slash_b ? slash_b + 1 : b) == 0 &&
+           folder_of(a, folder_a, sizeof folder_a) && folder_of(b, folder_b, sizeof folder_b) &&
+           stat(folder_a, &x) == 0 && stat(folder_b, &y) == 0 && same_inode(&x, &y);
+}
+
+/* The search may take minutes: better to know before it that its result cannot be kept. */
+static ktg_status check_writable(ktg_context *context, const char *path) {
+    struct stat about;
+    char folder[PATH_MAX];
+    if (strcmp(path, "-") == 0)
+        return KTG_OK;
+    if (stat(path, &about) == 0) {
+        if (S_ISDIR(about.st_mode))
+            return ktg_fail(context, KTG_FILE, "%s: is a folder; name a file in it", path);
+        if (access(path, W_OK) != 0)
+            return ktg_fail(context, KTG_FILE, "%s: cannot be written: %s", path, strerror(errno));
+        if (!S_ISREG(about.st_mode))
+            return KTG_OK;
+    }
+    if (!folder_of(path, folder, sizeof folder))
+        return ktg_fail(context, KTG_FILE, "%s: cannot be written: the path is too long", path);
+    if (access(folder, W_OK | X_OK) != 0)
+        return ktg_fail(context, KTG_FILE, "%s: cannot be written: %s%s", path, strerror(errno),
+                        errno == ENOENT ? "; make its folder first" : "");
+    return KTG_OK;
+}
+
+/* The i-th path to be written, the report being the last one; NULL when there are no more. */
+static const char *path_at(const ktg_pipeline_options *options, size_t i) {
+    if (i < options->output_count)
+        return options->outputs[i];
+    return i == options->output_count ? options->report : NULL;
 }
 
 ktg_status ktg_outputs_check(ktg_context *context, const ktg_pipeline_options *options) {
-    for (size_t i = 0; i < options->output_count; i++) {
-        const char *path = options->outputs[i];
-        if (kind_of(path) == OUTPUT_UNKNOWN)
+    const char *path;
+    for (size_t i = 0; (path = path_at(options, i)); i++) {
+        if (i < options->output_count && kind_of(path) == OUTPUT_UNKNOWN)
             return ktg_fail(context, KTG_ARGUMENT,
                             "%s: no such kind of output; .pdf, .svg, .png and .json can be written",
                             path);
@@ -50,17 +100,15 @@ ktg_status ktg_outputs_check(ktg_context *context, const ktg_pipeline_options *o
                             path);
         for (size_t j = 0; j < i; j++)
             if (same_file(path, options->outputs[j]))
-                return ktg_fail(context, KTG_ARGUMENT, "%s: is to be written twice", path);
+                return ktg_fail(context, KTG_ARGUMENT,
+                                "%s: is to be written twice; name another output", path);
     }
+    for (size_t i = 0; (path = path_at(options, i)); i++)
+        KTG_TRY(check_writable(context, path));
     return KTG_OK;
 }
 
-typedef struct open_outputs {
-    ktg_output **items;
-    size_t count, capacity;
-} open_outputs;
-
-static ktg_status open_next(ktg_context *context, open_outputs *open, const char *path,
+static ktg_status open_next(ktg_context *context, ktg_outputs *open, const char *path,
                             ktg_output **output) {
     KTG_TRY(ktg_reserve(context, &open->items, &open->capacity, open->count + 1));
     KTG_TRY(ktg_output_open(context, path, &open->items[open->count]));
@@ -71,7 +119,7 @@ static ktg_status open_next(ktg_context *context, open_outputs *open, const char
 /* A file for each sheet where there are several: NAME-01.svg, NAME-02.svg, ... */
 static ktg_status write_sheet(ktg_context *context, const ktg_pipeline_options *options,
                               const ktg_pattern *pattern, const char *path, output_kind kind,
-                              size_t sheet, open_outputs *open) {
+                              size_t sheet, ktg_outputs *open) {
     const char *ending = ending_of(path);
     int digits = pattern->sheet_count > 999 ? 6 : pattern->sheet_count > 99 ? 3 : 2;
     size_t size = strlen(path) + 32;
@@ -92,7 +140,7 @@ static ktg_status write_sheet(ktg_context *context, const ktg_pipeline_options *
 }
 
 static ktg_status write_one(ktg_context *context, const ktg_pipeline_options *options,
-                            const ktg_pattern *pattern, const char *path, open_outputs *open) {
+                            const ktg_pattern *pattern, const char *path, ktg_outputs *open) {
     output_kind kind = kind_of(path);
     ktg_output *output = NULL;
     if (kind == OUTPUT_PDF || kind == OUTPUT_JSON) {
@@ -106,21 +154,39 @@ static ktg_status write_one(ktg_context *context, const ktg_pipeline_options *op
 }
 
 ktg_status ktg_outputs_write(ktg_context *context, const ktg_pipeline_options *options,
-                             const ktg_pattern *pattern) {
-    open_outputs open = {0};
-    ktg_status status = KTG_OK;
-    for (size_t i = 0; status == KTG_OK && i < options->output_count; i++) {
+                             const ktg_pattern *pattern, ktg_outputs *outputs) {
+    for (size_t i = 0; i < options->output_count; i++) {
         ktg_progress(context, "write", (double)i / options->output_count, options->outputs[i]);
-        status = write_one(context, options, pattern, options->outputs[i], &open);
+        KTG_TRY(write_one(context, options, pattern, options->outputs[i], outputs));
     }
-    if (status == KTG_OK)
-        status = ktg_check_cancel(context);
-    for (size_t i = 0; i < open.count; i++) {
-        if (status == KTG_OK)
-            status = ktg_output_commit(context, &open.items[i]);
-        else
-            ktg_output_discard(&open.items[i]);
+    return KTG_OK;
+}
+
+ktg_status ktg_outputs_write_report(ktg_context *context, const ktg_pipeline_options *options,
+                                    const ktg_pipeline_report *report, ktg_outputs *outputs) {
+    ktg_output *output = NULL;
+    if (!options->report)
+        return KTG_OK;
+    KTG_TRY(open_next(context, outputs, options->report, &output));
+    return ktg_pipeline_write_report(context, options, report, output);
+}
+
+ktg_status ktg_outputs_commit(ktg_context *context, ktg_outputs *outputs) {
+    for (size_t i = 0; i < outputs->count; i++)
+        KTG_TRY(ktg_output_finish(context, outputs->items[i]));
+    for (size_t i = 0; i < outputs->count; i++) {
+        char path[PATH_MAX];
+        snprintf(path, sizeof path, "%s", ktg_output_path(outputs->items[i]));
+        KTG_TRY(ktg_output_commit(context, &outputs->items[i]));
+        if (strcmp(path, "-") != 0)
+            ktg_log(context, KTG_LOG_NOTE, "wrote %s", path);
     }
-    ktg_free(open.items);
-    return status;
+    return KTG_OK;
+}
+
+void ktg_outputs_discard(ktg_outputs *outputs) {
+    for (size_t i = 0; i < outputs->count; i++)
+        ktg_output_discard(&outputs->items[i]);
+    ktg_free(outputs->items);
+    *outputs = (ktg_outputs){0};
 }

@@ -59,6 +59,8 @@ typedef struct ktg_pipeline_options {
                                    PDF on standard output. SVG and PNG of several sheets become
                                    NAME-01.svg, NAME-02.svg, ... */
     size_t output_count;
+    const char *report; /* where the figures go as JSON, or NULL; one of the outputs in every other
+                           way */
 } ktg_pipeline_options;
 
 KTG_API void ktg_pipeline_defaults(ktg_pipeline_options *options);
@@ -81,14 +83,18 @@ typedef struct ktg_pipeline_report {
 } ktg_pipeline_report;
 
 /* Reads, repairs, simplifies, unfolds (or flattens), scales, finishes, lays out, renders and
- * writes. All outputs are written beside their places first and renamed together at the end: when
- * anything fails, no file is touched. */
+ * writes. All outputs are written beside their places first, brought to the disk and then renamed
+ * together: when anything fails, no file is touched. The log says which files were written.
+ * `report` may be NULL; after a failure it holds what was known by then. KTG_ARGUMENT for options
+ * that make no sense, an ending that is not known, a file that is to be written twice or is the
+ * model. */
 KTG_API KTG_NODISCARD ktg_status ktg_pipeline_run(ktg_context *context,
                                                   const ktg_pipeline_options *options,
                                                   ktg_pipeline_report *report);
 
-/* The report as JSON: faces, pieces, components, seams, tabs_full, tabs_reduced, tabs_none, sheets,
- * mm_per_unit, fill, seconds, seconds_unfold, stopped_by and more (docs/report.md). */
+/* The report as JSON, as options->report gets it: faces, pieces, components, seams, tabs_full,
+ * tabs_reduced, tabs_none, sheets, mm_per_unit, fill, seconds, seconds_unfold, stopped_by and more
+ * (docs/report.md). */
 KTG_API KTG_NODISCARD ktg_status ktg_pipeline_write_report(ktg_context *context,
                                                            const ktg_pipeline_options *options,
                                                            const ktg_pipeline_report *report,

@@ -2,9 +2,11 @@
 #include "core/memory.h"
 #include "pipeline/pipeline.h"
 
+#include <inttypes.h>
+
 static ktg_status put_number(ktg_context *context, ktg_output *output, const char *key,
                              double value) {
-    return ktg_output_print(context, output, ",\n  \"%s\": %.15g", key, value);
+    return ktg_output_print(context, output, ",\n  \"%s\": %.17g", key, value);
 }
 
 static ktg_status put_text(ktg_context *context, ktg_output *output, const char *key,
@@ -61,11 +63,12 @@ ktg_status ktg_pipeline_write_report(ktg_context *context, const ktg_pipeline_op
                               {"height_mm", r->size_mm.y},
                               {"length_mm", r->size_mm.z},
                               {"fill", r->layout.fill},
-                              {"seed", (double)ktg_context_seed(context)},
                               {"seconds", r->seconds},
                               {"seconds_unfold", r->seconds_unfold}};
     bool paper = options->mode == KTG_PAPER;
     KTG_TRY(ktg_output_print(context, output, "{\n  \"mode\": \"%s\"", paper ? "paper" : "cloth"));
+    KTG_TRY(
+        ktg_output_print(context, output, ",\n  \"seed\": %" PRIu64, ktg_context_seed(context)));
     KTG_TRY(put_figures(context, output, figures, sizeof figures / sizeof *figures));
     KTG_TRY(paper ? put_paper(context, output, r) : put_cloth(context, output, r));
     KTG_TRY(put_text(context, output, "stopped_by", ktg_stopped_by_name(r->unfold.stopped_by)));

@@ -55,29 +55,20 @@ static ktg_status simplify(ktg_context *context, const ktg_pipeline_options *opt
     return KTG_OK;
 }
 
-static ktg_status load(ktg_context *context, const ktg_pipeline_options *options, ktg_mesh **mesh,
-                       ktg_pipeline_report *report) {
-    ktg_progress(context, "read", 0, options->model);
-    KTG_TRY(ktg_mesh_read(context, options->model, options->model_format, mesh));
-    KTG_TRY(ktg_mesh_check(context, *mesh, false, &report->model));
+static ktg_status repair(ktg_context *context, const ktg_pipeline_options *options, ktg_mesh *mesh,
+                         ktg_pipeline_report *report) {
+    KTG_TRY(ktg_mesh_check(context, mesh, false, &report->model));
     ktg_progress(context, "repair", 0, NULL);
-    ktg_status status = ktg_mesh_repair(context, *mesh, &report->repair);
-    if (status == KTG_GEOMETRY) { /* the message does not know the file */
-        char *reason = ktg_copy_text(context, ktg_context_message(context), SIZE_MAX);
-        if (!reason)
-            return KTG_MEMORY;
-        (void)ktg_fail(context, status, "%s: %s", options->model, reason);
-        ktg_free(reason);
-    }
-    KTG_TRY(status);
+    KTG_TRY(ktg_mesh_repair(context, mesh, &report->repair));
     tell_repair(context, &report->repair);
-    KTG_TRY(simplify(context, options, *mesh, report));
+    KTG_TRY(simplify(context, options, mesh, report));
     ktg_mesh_report surface;
-    KTG_TRY(ktg_mesh_check(context, *mesh, true, &surface));
+    KTG_TRY(ktg_mesh_check(context, mesh, true, &surface));
     report->self_intersections = surface.self_intersections;
     if (surface.self_intersections > 0)
         ktg_log(context, KTG_LOG_WARNING,
-                "%u pairs of faces pass through each other; the paper will have to do so too",
+                "%u pairs of faces pass through each other; the finished thing will have to do so "
+                "too",
                 surface.self_intersections);
     return KTG_OK;
 }
@@ -120,35 +111,53 @@ static ktg_status put_on_sheets(ktg_context *context, const ktg_pipeline_options
     return KTG_OK;
 }
 
-static ktg_status run(ktg_context *context, const ktg_pipeline_options *options, ktg_mesh **mesh,
-                      ktg_pattern **pattern, char **title, ktg_pipeline_report *report) {
+/* What one run takes and frees. */
+typedef struct job {
+    ktg_mesh *mesh;
+    ktg_pattern *pattern;
+    char *title;
+    ktg_outputs outputs;
+    double start;
+} job;
+
+static ktg_status shape(ktg_context *context, const ktg_pipeline_options *options, job *j,
+                        ktg_pipeline_report *report) {
+    KTG_TRY(repair(context, options, j->mesh, report));
+    KTG_TRY(make_pieces(context, options, j->mesh, j->title, &j->pattern, report));
+    return put_on_sheets(context, options, j->pattern, report);
+}
+
+static ktg_status run(ktg_context *context, const ktg_pipeline_options *options, job *j,
+                      ktg_pipeline_report *report) {
     KTG_TRY(ktg_outputs_check(context, options));
     KTG_TRY(ktg_size_check(context, options));
-    *title = title_of(context, options->model);
-    if (!*title)
+    j->title = title_of(context, options->model);
+    if (!j->title)
         return KTG_MEMORY;
-    KTG_TRY(load(context, options, mesh, report));
-    KTG_TRY(make_pieces(context, options, *mesh, *title, pattern, report));
-    KTG_TRY(put_on_sheets(context, options, *pattern, report));
+    ktg_progress(context, "read", 0, options->model);
+    KTG_TRY(ktg_mesh_read(context, options->model, options->model_format, &j->mesh));
+    KTG_TRY(ktg_about_file(context, options->model, shape(context, options, j, report)));
     ktg_pipeline_options with_title = *options;
     if (!with_title.render.title)
-        with_title.render.title = *title;
-    return ktg_outputs_write(context, &with_title, *pattern);
+        with_title.render.title = j->title;
+    KTG_TRY(ktg_outputs_write(context, &with_title, j->pattern, &j->outputs));
+    report->seconds = ktg_clock_seconds() - j->start;
+    KTG_TRY(ktg_outputs_write_report(context, options, report, &j->outputs));
+    KTG_TRY(ktg_check_cancel(context));
+    return ktg_outputs_commit(context, &j->outputs);
 }
 
 ktg_status ktg_pipeline_run(ktg_context *context, const ktg_pipeline_options *options,
                             ktg_pipeline_report *report) {
-    double start = ktg_clock_seconds();
     ktg_pipeline_report own = {0};
-    ktg_mesh *mesh = NULL;
-    ktg_pattern *pattern = NULL;
-    char *title = NULL;
-    ktg_status status = run(context, options, &mesh, &pattern, &title, &own);
-    own.seconds = ktg_clock_seconds() - start;
+    job j = {.start = ktg_clock_seconds()};
+    ktg_status status = run(context, options, &j, &own);
+    own.seconds = ktg_clock_seconds() - j.start;
     if (report)
         *report = own;
-    ktg_mesh_free(&mesh);
-    ktg_pattern_free(&pattern);
-    ktg_free(title);
+    ktg_outputs_discard(&j.outputs);
+    ktg_pattern_free(&j.pattern);
+    ktg_mesh_free(&j.mesh);
+    ktg_free(j.title);
     return status;
 }

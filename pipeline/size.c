@@ -29,6 +29,11 @@ ktg_vec3 ktg_size_of(const ktg_pattern *pattern, ktg_axis up) {
 }
 
 ktg_status ktg_size_check(ktg_context *context, const ktg_pipeline_options *options) {
+    const ktg_sheet_format *sheet = &options->layout.sheet;
+    if (!(2 * sheet->margin_mm < fmin(sheet->width_mm, sheet->height_mm)))
+        return ktg_fail(context, KTG_ARGUMENT,
+                        "margins of %g mm leave nothing of a sheet of %g x %g mm", sheet->margin_mm,
+                        sheet->width_mm, sheet->height_mm);
     if (options->size_rule == KTG_SIZE_FIT) {
         if (options->mode == KTG_PAPER)
             return KTG_OK;

@@ -78,6 +78,7 @@ static void an_output_appears_whole_or_not_at_all(void **state) {
 
     assert_int_equal(ktg_output_open(context, path, &output), KTG_OK);
     assert_int_equal(ktg_output_write(context, output, "other", 5), KTG_OK);
+    assert_int_equal(ktg_output_finish(context, output), KTG_OK);
     ktg_output_discard(&output);
     assert_int_equal(ktg_file_read(context, path, 100, &bytes, &size), KTG_OK);
     assert_string_equal(bytes, "1.50");
@@ -104,6 +105,24 @@ static void impossible_paths_are_named(void **state) {
     assert_int_equal(ktg_output_write(context, output, "x", 1), KTG_OK);
     assert_int_equal(ktg_output_commit(context, &output), KTG_FILE);
     assert_null(output);
+    assert_int_equal(ktg_output_open(context, "/dev/full", &output), KTG_OK);
+    assert_int_equal(ktg_output_write(context, output, "x", 1), KTG_OK);
+    assert_int_equal(ktg_output_finish(context, output), KTG_FILE);
+    assert_non_null(strstr(ktg_context_message(context), "/dev/full"));
+    ktg_output_discard(&output);
+}
+
+static void a_shape_that_fails_is_told_with_its_file(void **state) {
+    ktg_context *context = *state;
+    ktg_status status = ktg_fail(context, KTG_GEOMETRY, "it is empty");
+    assert_int_equal(ktg_about_file(context, "a.obj", status), KTG_GEOMETRY);
+    assert_string_equal(ktg_context_message(context), "a.obj: it is empty");
+    assert_int_equal(ktg_about_file(context, "b.obj", KTG_OK), KTG_OK);
+    assert_int_equal(ktg_about_file(context, "b.obj", KTG_FILE), KTG_FILE);
+    assert_string_equal(ktg_context_message(context), "a.obj: it is empty");
+    status = ktg_fail(context, KTG_LIMIT, "it is large");
+    assert_int_equal(ktg_about_file(context, "-", status), KTG_LIMIT);
+    assert_string_equal(ktg_context_message(context), "standard input: it is large");
 }
 
 static void orientation_is_exact(void **state) {
@@ -140,6 +159,8 @@ int main(void) {
         cmocka_unit_test_setup_teardown(an_output_appears_whole_or_not_at_all, make_context,
                                         drop_context),
         cmocka_unit_test_setup_teardown(impossible_paths_are_named, make_context, drop_context),
+        cmocka_unit_test_setup_teardown(a_shape_that_fails_is_told_with_its_file, make_context,
+                                        drop_context),
         cmocka_unit_test(orientation_is_exact),
         cmocka_unit_test(random_numbers_stay_the_same),
     };
