@@ -222,8 +222,10 @@ static bool set_weight(settings *s, const char *text) {
 }
 
 static bool set_method_unfold(settings *s, const char *text) {
-    (void)s;
-    return strcmp(text, "genetic") == 0;
+    static const char *const methods[] = {"auto", "genetic", NULL};
+    int method = word_index(text, methods);
+    s->pipeline.unfold.method = method == 1 ? KTG_METHOD_GENETIC : KTG_METHOD_AUTO;
+    return method >= 0;
 }
 
 static bool set_method_flatten(settings *s, const char *text) {
@@ -233,7 +235,7 @@ static bool set_method_flatten(settings *s, const char *text) {
 
 static bool set_population(settings *s, const char *text) {
     return parse_count32(text, 4, &s->pipeline.unfold.population) &&
-           s->pipeline.unfold.population <= 100000;
+           s->pipeline.unfold.population <= 10000;
 }
 
 static bool set_generations(settings *s, const char *text) {
@@ -311,7 +313,8 @@ static const option_line lines[] = {
     {"flat", 0, "DEGREES", CMD_UNFOLD, set_flat, "folds flatter than this are not drawn (1)"},
     {"allowance", 0, "LENGTH", CMD_FLATTEN, set_allowance, "seam allowance (10mm)"},
     {"weights", 0, "cotangent|unit", CMD_FLATTEN, set_weight, "weights of the edges (cotangent)"},
-    {"method", 0, "genetic", CMD_UNFOLD, set_method_unfold, "how patches are merged (genetic)"},
+    {"method", 0, "auto|genetic", CMD_UNFOLD, set_method_unfold,
+     "transplants, or the paper's genetic merging (auto)"},
     {"method", 0, "two-step", CMD_FLATTEN, set_method_flatten, "how to flatten (two-step)"},
     {"population", 0, "N", CMD_UNFOLD, set_population, "chromosomes in a generation (32)"},
     {"generations", 0, "N", CMD_UNFOLD, set_generations, "at most this many (2000)"},

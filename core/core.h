@@ -69,7 +69,8 @@ typedef void ktg_log_function(void *user, ktg_log_level level, const char *text)
  * `detail` is a short text for people, or NULL. */
 typedef void ktg_progress_function(void *user, const char *stage, double fraction,
                                    const char *detail);
-/* What the caller wants a running job to do; asked often. */
+/* What the caller wants a running job to do; asked often. An answer other than KTG_GO_ON must be
+ * kept up. */
 typedef enum ktg_wish {
     KTG_GO_ON,
     KTG_FINISH, /* end searches with the best found so far, then do the rest of the job */

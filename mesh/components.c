@@ -84,28 +84,48 @@ static ktg_status vote(ktg_context *context, const ktg_mesh *mesh, const ktg_nam
     return status;
 }
 
-static bool name_taken(const ktg_names *names, uint32_t before, const char *text) {
-    for (uint32_t i = 0; i < before; i++)
-        if (strcmp(names->text[i], text) == 0)
-            return true;
-    return false;
+/* The names given so far, hashed; for each the number that a further component of that name gets.
+ */
+typedef struct name_table {
+    size_t mask;
+    struct {
+        const char *text; /* NULL: empty */
+        uint32_t next;
+    } * slots;
+} name_table;
+
+/* The slot of `text`: its own, or the empty one where it would go. */
+static size_t name_slot(const name_table *table, const char *text) {
+    uint64_t hash = 0xcbf29ce484222325u; /* FNV-1a */
+    for (const char *c = text; *c; c++)
+        hash = (hash ^ (unsigned char)*c) * 0x100000001b3u;
+    size_t slot = (size_t)hash & table->mask;
+    while (table->slots[slot].text && strcmp(table->slots[slot].text, text) != 0)
+        slot = (slot + 1) & table->mask;
+    return slot;
 }
 
 /* Sets name c to `base`, with a number behind it where the name is taken already. */
-static ktg_status set_name(ktg_context *context, ktg_names *names, uint32_t c, const char *base) {
+static ktg_status set_name(ktg_context *context, name_table *table, ktg_names *names, uint32_t c,
+                           const char *base) {
     size_t length = strlen(base) + 16;
     char *text = ktg_alloc(context, length, 1);
     if (!text)
         return KTG_MEMORY;
     snprintf(text, length, "%s", base);
-    for (uint32_t k = 2; name_taken(names, c, text); k++)
-        snprintf(text, length, "%s %u", base, k);
-    names->text[c] = text;
+    size_t slot = name_slot(table, base), first = slot;
+    while (table->slots[slot].text) {
+        snprintf(text, length, "%s %u", base, table->slots[first].next++);
+        slot = name_slot(table, text);
+    }
+    table->slots[slot].text = names->text[c] = text;
+    table->slots[slot].next = 2;
     return KTG_OK;
 }
 
 static ktg_status set_names(ktg_context *context, const ktg_mesh *mesh, const uint32_t *by_object,
-                            const uint32_t *by_group, const char *fallback, ktg_names *names) {
+                            const uint32_t *by_group, const char *fallback, name_table *table,
+                            ktg_names *names) {
     for (uint32_t c = 0; c < names->count; c++) {
         char part[32];
         snprintf(part, sizeof part, "part %u", c + 1);
@@ -116,7 +136,7 @@ static ktg_status set_names(ktg_context *context, const ktg_mesh *mesh, const ui
             base = mesh->groups.text[by_group[c]];
         else if (names->count == 1 && fallback)
             base = fallback;
-        KTG_TRY(set_name(context, names, c, *base ? base : part));
+        KTG_TRY(set_name(context, table, names, c, *base ? base : part));
     }
     return KTG_OK;
 }
@@ -128,7 +148,11 @@ ktg_status ktg_mesh_component_names(ktg_context *context, const ktg_mesh *mesh,
         (ktg_names){.count = component_count, .text = ktg_new(context, component_count, char *)};
     uint32_t *by_object = ktg_new(context, component_count, uint32_t);
     uint32_t *by_group = ktg_new(context, component_count, uint32_t);
-    ktg_status status = names->text && by_object && by_group ? KTG_OK : KTG_MEMORY;
+    name_table table = {.mask = 15};
+    while (table.mask < 2 * (size_t)component_count)
+        table.mask = 2 * table.mask + 1;
+    table.slots = ktg_alloc(context, table.mask + 1, sizeof *table.slots);
+    ktg_status status = names->text && by_object && by_group && table.slots ? KTG_OK : KTG_MEMORY;
     if (status == KTG_OK) {
         memset(by_object, 0xff, component_count * sizeof *by_object);
         memset(by_group, 0xff, component_count * sizeof *by_group);
@@ -139,7 +163,8 @@ ktg_status ktg_mesh_component_names(ktg_context *context, const ktg_mesh *mesh,
         status = vote(context, mesh, &mesh->groups, mesh->face_group, face_component,
                       component_count, by_group);
     if (status == KTG_OK)
-        status = set_names(context, mesh, by_object, by_group, fallback, names);
+        status = set_names(context, mesh, by_object, by_group, fallback, &table, names);
+    ktg_free(table.slots);
     ktg_free(by_object);
     ktg_free(by_group);
     if (status != KTG_OK)

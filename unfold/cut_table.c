@@ -4,7 +4,7 @@
 #include "core/vec.h"
 
 /* Angle sums within this of 2 pi count as flat. */
-#define FLAT_ANGLE 1e-9
+#define FLAT_ANGLE 1e-7
 
 /* The angle at corner k of a face. */
 static double corner_angle(const ktg_dual *dual, uint32_t face, int k) {

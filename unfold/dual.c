@@ -7,7 +7,7 @@
 #include <string.h>
 
 /* Faces whose unit normals turn by no more than this lie in one plane (radians, about). */
-#define COPLANAR 1e-6
+#define COPLANAR 1e-4
 
 void ktg_dual_free(ktg_dual **dual) {
     if (!dual || !*dual)

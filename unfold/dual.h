@@ -12,7 +12,7 @@
 /* Two faces of one piece overlap when they must be moved by more than this to be apart (normalised
  * units): far above the rounding of a chain of rigid motions, far below the micrometre that paper
  * shows. */
-#define KTG_OVERLAP_DEPTH 1e-9
+#define KTG_OVERLAP_DEPTH 1e-7
 
 typedef struct ktg_dual_edge {
     uint32_t halfedge[2]; /* 3 face + corner, in the two faces; halfedge[0] < halfedge[1] */

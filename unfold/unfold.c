@@ -6,14 +6,14 @@
 #include "core/vec.h"
 #include "unfold/check.h"
 #include "unfold/edges.h"
-#include "unfold/genetic.h"
+#include "unfold/join.h"
 #include "unfold/pieces.h"
-#include "unfold/strips.h"
 
 #include <string.h>
 
 void ktg_unfold_defaults(ktg_unfold_options *options) {
-    *options = (ktg_unfold_options){.population = 32,
+    *options = (ktg_unfold_options){.method = KTG_METHOD_AUTO,
+                                    .population = 32,
                                     .generations = 2000,
                                     .patience = 30,
                                     .crossover_rate = 0.8,
@@ -22,8 +22,8 @@ void ktg_unfold_defaults(ktg_unfold_options *options) {
 }
 
 static ktg_status check_options(ktg_context *context, const ktg_unfold_options *o) {
-    if (o->population < 4 || o->population > 100000)
-        return ktg_fail(context, KTG_ARGUMENT, "a population of %u: from 4 to 100000 are possible",
+    if (o->population < 4 || o->population > 10000)
+        return ktg_fail(context, KTG_ARGUMENT, "a population of %u: from 4 to 10000 are possible",
                         o->population);
     if (!(o->crossover_rate >= 0 && o->crossover_rate <= 1))
         return ktg_fail(context, KTG_ARGUMENT, "a crossover rate of %g: from 0 to 1 is possible",
@@ -56,77 +56,33 @@ static ktg_status normalising_scale(ktg_context *context, const ktg_mesh *mesh, 
     return KTG_OK;
 }
 
-/* How much the weights of the spanning tree, which lie between 0 and 1, are shaken for a fresh
- * start. */
-#define RESTART_JITTER 0.5
-
-/* Section 4: spanning tree and strips. Strips are joined face by face, so that one that would lie
- * over itself falls apart where it does. */
-static ktg_status make_strips(ktg_context *context, const ktg_dual *dual, double jitter,
-                              ktg_random *random, bool *joined, ktg_patches **strips) {
-    bool *wanted = ktg_new(context, dual->edge_count, bool);
-    ktg_status status =
-        wanted ? ktg_dual_spanning_tree(context, dual, jitter, random, wanted) : KTG_MEMORY;
-    if (status == KTG_OK)
-        status = ktg_strips_cut(context, dual, wanted);
-    if (status == KTG_OK)
-        status = ktg_patches_new(context, dual, strips);
-    for (int rigid = 1; rigid >= 0; rigid--) {
-        for (uint32_t e = 0; status == KTG_OK && e < dual->edge_count; e++) {
-            ktg_join result = KTG_OVERLAPS;
-            if (wanted[e] && dual->edges[e].rigid == rigid)
-                status = ktg_patches_join(context, *strips, e, &result);
-            joined[e] = joined[e] || result == KTG_JOINED;
-        }
-    }
-    ktg_free(wanted);
-    return status;
-}
-
-/* One run of sections 4 and 5; joined: edge_count flags, set. */
-static ktg_status join_once(ktg_context *context, const ktg_dual *dual,
-                            const ktg_unfold_options *options, uint32_t run, ktg_search *search,
-                            bool *joined, uint32_t *pieces) {
-    ktg_patches *strips = NULL;
-    memset(joined, 0, dual->edge_count * sizeof *joined);
-    ktg_status status =
-        make_strips(context, dual, run > 0 ? RESTART_JITTER : 0, &search->random, joined, &strips);
-    if (status == KTG_OK && run == 0)
-        search->report.strips += strips->patch_count;
-    if (status == KTG_OK)
-        status = ktg_genetic_merge(context, strips, options, search, joined, pieces);
-    ktg_patches_free(&strips);
-    return status;
-}
-
-/* The paper's run and, while it takes more than one piece, fresh starts from other strips; the
- * fewest pieces win. */
-static ktg_status join_faces(ktg_context *context, const ktg_dual *dual,
-                             const ktg_unfold_options *options, ktg_search *search, bool *joined) {
-    bool *trial = ktg_new(context, dual->edge_count, bool);
-    uint32_t least = 0, pieces = 0;
-    ktg_status status =
-        trial ? join_once(context, dual, options, 0, search, joined, &least) : KTG_MEMORY;
-    for (uint32_t run = 1; status == KTG_OK && least > 1 && run <= options->restarts; run++) {
-        if (!ktg_search_goes_on(context, search))
-            break;
-        status = join_once(context, dual, options, run, search, trial, &pieces);
-        search->report.restarts++;
-        if (status != KTG_OK || pieces >= least)
-            continue;
-        least = pieces;
-        memcpy(joined, trial, dual->edge_count * sizeof *joined);
-    }
-    ktg_free(trial);
-    return status;
-}
-
 static void mark_folds(const ktg_dual *dual, const ktg_adjacency *adjacency, const bool *joined,
                        bool *is_fold) {
     for (uint32_t e = 0; e < dual->edge_count; e++) {
         uint32_t h = dual->edges[e].halfedge[0];
         is_fold[adjacency->halfedge_edge[3 * dual->mesh_face[h / 3] + h % 3]] = joined[e];
     }
+}
+
+/* Components up to this many faces get a second chance by the paper's method where transplants left
+ * several pieces. */
+#define SECOND_CHANCE 2000
+
+static ktg_status join(ktg_context *context, const ktg_dual *dual,
+                       const ktg_unfold_options *options, ktg_search *search, bool *joined) {
+    uint32_t pieces = 0, other = 0;
+    if (options->method == KTG_METHOD_GENETIC)
+        return ktg_join_genetic(context, dual, options, search, joined, &pieces);
+    KTG_TRY(ktg_join_transplant(context, dual, search, joined, &pieces));
+    if (pieces == 1 || dual->face_count > SECOND_CHANCE || !ktg_search_goes_on(context, search))
+        return KTG_OK;
+    bool *trial = ktg_new(context, dual->edge_count, bool);
+    ktg_status status =
+        trial ? ktg_join_genetic(context, dual, options, search, trial, &other) : KTG_MEMORY;
+    if (status == KTG_OK && other < pieces)
+        memcpy(joined, trial, dual->edge_count * sizeof *joined);
+    ktg_free(trial);
+    return status;
 }
 
 typedef struct work {
@@ -152,8 +108,7 @@ static ktg_status unfold_component(ktg_context *context, work *w, uint32_t compo
     bool *joined = ktg_new(context, dual->edge_count, bool);
     ktg_random_seed(&w->search.random, ktg_context_seed(context) + component);
     w->search.generations_before = w->search.report.generations;
-    ktg_status status =
-        joined ? join_faces(context, dual, w->options, &w->search, joined) : KTG_MEMORY;
+    ktg_status status = joined ? join(context, dual, w->options, &w->search, joined) : KTG_MEMORY;
     if (status == KTG_OK)
         status = ktg_pieces_append(context, dual, w->scale, joined, component, pattern,
                                    &w->pieces_capacity);

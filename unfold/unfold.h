@@ -15,16 +15,22 @@
 extern "C" {
 #endif
 
-/* Section 5 of the paper. ktg_unfold_defaults gives its values. */
+typedef enum ktg_unfold_method {
+    KTG_METHOD_AUTO,   /* conflict-driven subtree transplant: one piece in milliseconds */
+    KTG_METHOD_GENETIC /* the method of the paper, with fresh starts */
+} ktg_unfold_method;
+
+/* Section 5 of the paper, where nothing else is said. ktg_unfold_defaults gives its values. */
 typedef struct ktg_unfold_options {
-    uint32_t population;   /* chromosomes in a generation, at least 4; 32 */
-    uint32_t generations;  /* at most this many; 2000 */
-    uint32_t patience;     /* stop after so many generations without gain; 30 */
-    double crossover_rate; /* 0..1; 0.8 */
-    double mutation_rate;  /* 0..1; 0.1 */
-    uint32_t restarts;     /* fresh starts from other strips while a component is in several pieces;
-                              20 (0: the paper) */
-    double seconds;        /* an upper bound on the search's time; 0: none */
+    ktg_unfold_method method; /* auto */
+    uint32_t population;      /* chromosomes in a generation, at least 4; 32 */
+    uint32_t generations;     /* at most this many; 2000 */
+    uint32_t patience;        /* stop after so many generations without gain; 30 */
+    double crossover_rate;    /* 0..1; 0.8 */
+    double mutation_rate;     /* 0..1; 0.1 */
+    uint32_t restarts; /* fresh starts from other strips while a component is in several pieces;
+                          20 (0: the paper) */
+    double seconds;    /* an upper bound on the search's time; 0: none */
 } ktg_unfold_options;
 
 KTG_API void ktg_unfold_defaults(ktg_unfold_options *options);
@@ -48,7 +54,7 @@ typedef struct ktg_unfold_report {
 /* Unfolds every component of an oriented manifold (as ktg_mesh_repair leaves it; KTG_ARGUMENT
  * otherwise). The pattern holds the surface and the pieces in the model's unit, edges with kind and
  * angle, no tabs; each face lies in exactly one piece and no two faces of a piece overlap by more
- * than 1e-9 of the model's size. What cannot be merged stays a further piece, so there is always an
+ * than 1e-7 of the model's size. What cannot be merged stays a further piece, so there is always an
  * answer. `name`: what a single component is called. Inner edges of coplanar input polygons
  * (mesh->face_polygon) stay folds. A cancel callback that says KTG_FINISH ends the search early
  * with the best pieces so far (stopped_by says so); KTG_STOP fails with KTG_CANCELLED. */

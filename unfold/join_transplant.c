@@ -1,0 +1,59 @@
+/* unfold/join_transplant.c - one piece by transplants, with fresh starts, or few pieces. */
+#include "core/memory.h"
+#include "unfold/join.h"
+#include "unfold/split.h"
+#include "unfold/transplant.h"
+
+#include <string.h>
+
+/* Fresh starts, from spanning trees whose weights (0 to 1) are shaken by this much. */
+#define MOST_RESTARTS  20
+#define RESTART_JITTER 0.3
+
+/* Steps without a new least number of conflicts after which a run is given up. */
+static uint64_t patience_for(const ktg_dual *dual) {
+    return 1500 + dual->face_count;
+}
+
+/* One run; afterwards the net is laid flat anew, so that its conflicts are not those of rounding.
+ */
+static ktg_status run_once(ktg_context *context, const ktg_dual *dual, double jitter,
+                           ktg_search *search, bool *folded, ktg_net **net) {
+    KTG_TRY(ktg_dual_spanning_tree(context, dual, jitter, &search->random, folded));
+    KTG_TRY(ktg_net_new(context, dual, folded, net));
+    KTG_TRY(ktg_transplant_run(context, *net, patience_for(dual), search));
+    return ktg_net_refresh(context, *net);
+}
+
+/* Keeps the better of two nets in *best. */
+static void keep_better(ktg_net **best, ktg_net **net) {
+    if (!*best || (*net)->live_count < (*best)->live_count) {
+        ktg_net *worse = *best;
+        *best = *net;
+        *net = worse;
+    }
+    ktg_net_free(net);
+}
+
+ktg_status ktg_join_transplant(ktg_context *context, const ktg_dual *dual, ktg_search *search,
+                               bool *joined, uint32_t *pieces) {
+    ktg_net *best = NULL;
+    ktg_status status = KTG_OK;
+    for (uint32_t run = 0; status == KTG_OK && run <= MOST_RESTARTS; run++) {
+        ktg_net *net = NULL;
+        if (run > 0 && (best->live_count == 0 || !ktg_search_goes_on(context, search)))
+            break;
+        search->report.restarts += run > 0;
+        status = run_once(context, dual, run > 0 ? RESTART_JITTER : 0, search, joined, &net);
+        if (status == KTG_OK)
+            keep_better(&best, &net);
+        ktg_net_free(&net);
+    }
+    *pieces = 1;
+    if (status == KTG_OK) {
+        memcpy(joined, best->folded, dual->edge_count * sizeof *joined);
+        status = ktg_split_conflicts(context, best, joined, pieces);
+    }
+    ktg_net_free(&best);
+    return status;
+}

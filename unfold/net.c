@@ -1,0 +1,443 @@
+/* unfold/net.c - a spanning tree laid flat, its conflicts, and moving a part of it. */
+#include "unfold/net.h"
+#include "core/memory.h"
+#include "unfold/overlap.h"
+
+#include <string.h>
+
+void ktg_net_free(ktg_net **net) {
+    if (!net || !*net)
+        return;
+    ktg_net *n = *net;
+    ktg_free(n->folded);
+    ktg_free(n->parent_edge);
+    ktg_free(n->corners);
+    ktg_net_grid_free(&n->grid);
+    ktg_free(n->conflicts);
+    ktg_free(n->live);
+    ktg_free(n->first);
+    ktg_free(n->mark);
+    ktg_free(n->queue[0]);
+    ktg_free(n->queue[1]);
+    ktg_free(n);
+    *net = NULL;
+}
+
+uint32_t ktg_net_stamp(ktg_net *net) {
+    if (++net->stamp == 0) {
+        memset(net->mark, 0, net->dual->face_count * sizeof *net->mark);
+        net->stamp = 1;
+    }
+    return net->stamp;
+}
+
+/* ---- conflicts ---------------------------------------------------------------------------- */
+
+/* Which end of a conflict a face is. */
+static int end_of(const ktg_conflict *conflict, uint32_t face) {
+    return conflict->faces[0] == face ? 0 : 1;
+}
+
+static ktg_status add_conflict(ktg_context *context, ktg_net *net, uint32_t a, uint32_t b) {
+    uint32_t id = net->free_conflict;
+    KTG_TRY(ktg_reserve(context, &net->live, &net->live_capacity, net->live_count + 1));
+    if (id != KTG_NONE) {
+        net->free_conflict = net->conflicts[id].next[0];
+    } else {
+        KTG_TRY(ktg_reserve(context, &net->conflicts, &net->conflict_capacity,
+                            net->conflict_count + 1));
+        id = (uint32_t)net->conflict_count++;
+    }
+    ktg_conflict *c = &net->conflicts[id];
+    *c = (ktg_conflict){.faces = {a, b}, .place = (uint32_t)net->live_count};
+    net->live[net->live_count++] = id;
+    for (int i = 0; i < 2; i++) {
+        uint32_t face = c->faces[i], first = net->first[face];
+        c->previous[i] = KTG_NONE;
+        c->next[i] = first;
+        if (first != KTG_NONE)
+            net->conflicts[first].previous[end_of(&net->conflicts[first], face)] = id;
+        net->first[face] = id;
+    }
+    return KTG_OK;
+}
+
+static void remove_conflict(ktg_net *net, uint32_t id) {
+    ktg_conflict *c = &net->conflicts[id];
+    for (int i = 0; i < 2; i++) {
+        uint32_t face = c->faces[i], next = c->next[i], previous = c->previous[i];
+        if (previous != KTG_NONE)
+            net->conflicts[previous].next[end_of(&net->conflicts[previous], face)] = next;
+        else
+            net->first[face] = next;
+        if (next != KTG_NONE)
+            net->conflicts[next].previous[end_of(&net->conflicts[next], face)] = previous;
+    }
+    uint32_t last = net->live[--net->live_count];
+    net->live[c->place] = last;
+    net->conflicts[last].place = c->place;
+    c->next[0] = net->free_conflict;
+    net->free_conflict = id;
+}
+
+/* ---- faces that overlap a place ------------------------------------------------------------ */
+
+typedef struct box2 {
+    ktg_vec2 low, high;
+} box2;
+
+static box2 box_of(const ktg_vec2 c[3]) {
+    return (box2){{fmin(c[0].x, fmin(c[1].x, c[2].x)), fmin(c[0].y, fmin(c[1].y, c[2].y))},
+                  {fmax(c[0].x, fmax(c[1].x, c[2].x)), fmax(c[0].y, fmax(c[1].y, c[2].y))}};
+}
+
+/* Walks the faces near a box. */
+typedef struct near_walk {
+    const ktg_net_grid *grid;
+    box2 box;
+    ktg_net_range range;
+    int level;
+    int32_t x, y;
+    uint32_t face;
+} near_walk;
+
+/* Moves on to the next level that holds faces; false when there is none. */
+static bool next_level(near_walk *w) {
+    while (++w->level < w->grid->level_count) {
+        if (w->grid->level_faces[w->level] == 0)
+            continue;
+        w->range = ktg_net_grid_range(w->grid, w->level, w->box.low, w->box.high);
+        w->x = w->range.x0;
+        w->y = w->range.y0;
+        w->face = ktg_net_grid_head(w->grid, w->level, w->x, w->y);
+        return true;
+    }
+    return false;
+}
+
+static bool next_cell(near_walk *w) {
+    if (++w->x > w->range.x1) {
+        w->x = w->range.x0;
+        if (++w->y > w->range.y1)
+            return next_level(w);
+    }
+    w->face = ktg_net_grid_head(w->grid, w->level, w->x, w->y);
+    return true;
+}
+
+static bool start_walk(near_walk *w, const ktg_net_grid *grid, const ktg_vec2 corners[3]) {
+    *w = (near_walk){.grid = grid, .box = box_of(corners), .level = -1};
+    return next_level(w);
+}
+
+/* The next face near the box, KTG_NONE at the end. */
+static uint32_t next_near(near_walk *w) {
+    for (;;) {
+        while (w->face != KTG_NONE) {
+            uint32_t face = w->face;
+            w->face = w->grid->next[face];
+            if (w->grid->cell[2 * face] == w->x && w->grid->cell[2 * face + 1] == w->y &&
+                w->grid->level[face] == w->level)
+                return face;
+        }
+        if (!next_cell(w))
+            return KTG_NONE;
+    }
+}
+
+static bool boxes_apart(const ktg_vec2 c[3], const box2 *box) {
+    return (c[0].x > box->high.x && c[1].x > box->high.x && c[2].x > box->high.x) ||
+           (c[0].x < box->low.x && c[1].x < box->low.x && c[2].x < box->low.x) ||
+           (c[0].y > box->high.y && c[1].y > box->high.y && c[2].y > box->high.y) ||
+           (c[0].y < box->low.y && c[1].y < box->low.y && c[2].y < box->low.y);
+}
+
+static bool overlap(const ktg_net *net, const near_walk *walk, uint32_t face,
+                    const ktg_vec2 corners[3], uint32_t other) {
+    const ktg_vec2 *c = net->corners + 3 * (size_t)other;
+    return !boxes_apart(c, &walk->box) &&
+           ktg_triangles_overlap(corners, net->dual->lengths + 3 * (size_t)face, c,
+                                 net->dual->lengths + 3 * (size_t)other, KTG_OVERLAP_DEPTH);
+}
+
+static void put_in_grid(ktg_net *net, uint32_t face) {
+    box2 box = box_of(net->corners + 3 * (size_t)face);
+    ktg_net_grid_put(&net->grid, face, ktg_mul2(ktg_add2(box.low, box.high), 0.5));
+}
+
+/* ---- laying flat ---------------------------------------------------------------------------- */
+
+static void lay_against(ktg_net *net, uint32_t other, uint32_t own) {
+    const ktg_vec2 *flat = net->dual->flat + 3 * (size_t)(own / 3);
+    const ktg_vec2 *there = net->corners + 3 * (size_t)(other / 3);
+    int j = own % 3, k = other % 3;
+    ktg_motion2 m = ktg_motion2_between(flat[j], flat[(j + 1) % 3], there[(k + 1) % 3], there[k]);
+    for (int i = 0; i < 3; i++)
+        net->corners[3 * (size_t)(own / 3) + i] = ktg_move2(m, flat[i]);
+}
+
+/* Breadth first from face 0; parents point back. */
+static void lay_tree(ktg_net *net) {
+    uint32_t stamp = ktg_net_stamp(net), count = 1, *queue = net->queue[0];
+    memcpy(net->corners, net->dual->flat, 3 * sizeof(ktg_vec2));
+    net->parent_edge[0] = KTG_NONE;
+    net->mark[0] = stamp;
+    queue[0] = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        uint32_t face = queue[i];
+        for (uint32_t h = 3 * face; h < 3 * face + 3; h++) {
+            uint32_t e = net->dual->halfedge_edge[h];
+            if (e == KTG_NONE || !net->folded[e])
+                continue;
+            uint32_t own = ktg_net_across(net, e, face);
+            if (net->mark[own / 3] == stamp)
+                continue;
+            net->mark[own / 3] = stamp;
+            net->parent_edge[own / 3] = e;
+            lay_against(net, h, own);
+            queue[count++] = own / 3;
+        }
+    }
+}
+
+ktg_status ktg_net_refresh(ktg_context *context, ktg_net *net) {
+    uint32_t n = net->dual->face_count;
+    lay_tree(net);
+    memset(net->first, 0xff, n * sizeof *net->first);
+    net->conflict_count = net->live_count = 0;
+    net->free_conflict = KTG_NONE;
+    for (uint32_t f = 0; f < n; f++)
+        put_in_grid(net, f);
+    for (uint32_t f = 0; f < n; f++) {
+        near_walk walk;
+        const ktg_vec2 *corners = net->corners + 3 * (size_t)f;
+        if (!start_walk(&walk, &net->grid, corners))
+            continue;
+        for (uint32_t g; (g = next_near(&walk)) != KTG_NONE;)
+            if (g > f && overlap(net, &walk, f, corners, g))
+                KTG_TRY(add_conflict(context, net, f, g));
+    }
+    return KTG_OK;
+}
+
+static ktg_status allocate(ktg_context *context, ktg_net *net) {
+    size_t n = net->dual->face_count;
+    net->parent_edge = ktg_new(context, n, uint32_t);
+    net->corners = ktg_new(context, 3 * n, ktg_vec2);
+    net->first = ktg_new(context, n, uint32_t);
+    net->mark = ktg_new(context, n, uint32_t);
+    net->queue[0] = ktg_new(context, n, uint32_t);
+    net->queue[1] = ktg_new(context, n, uint32_t);
+    double *sizes = ktg_new(context, n, double);
+    ktg_status status = KTG_MEMORY;
+    if (net->parent_edge && net->corners && net->first && net->mark && net->queue[0] &&
+        net->queue[1] && sizes) {
+        for (size_t f = 0; f < n; f++) {
+            const double *l = net->dual->lengths + 3 * f;
+            sizes[f] = fmax(l[0], fmax(l[1], l[2]));
+        }
+        status = ktg_net_grid_new(context, sizes, (uint32_t)n, &net->grid);
+    }
+    ktg_free(sizes);
+    return status;
+}
+
+ktg_status ktg_net_new(ktg_context *context, const ktg_dual *dual, const bool *folded,
+                       ktg_net **net) {
+    *net = ktg_new(context, 1, ktg_net);
+    if (!*net)
+        return KTG_MEMORY;
+    (*net)->dual = dual;
+    (*net)->folded = ktg_copy_array(context, folded, dual->edge_count, sizeof *folded);
+    ktg_status status = (*net)->folded ? allocate(context, *net) : KTG_MEMORY;
+    if (status == KTG_OK)
+        status = ktg_net_refresh(context, *net);
+    if (status != KTG_OK)
+        ktg_net_free(net);
+    return status;
+}
+
+/* ---- paths and sides ------------------------------------------------------------------------ */
+
+static uint32_t parent_of(const ktg_net *net, uint32_t face) {
+    uint32_t e = net->parent_edge[face];
+    return e == KTG_NONE ? KTG_NONE : ktg_net_across(net, e, face) / 3;
+}
+
+/* Climbs from both faces in turn until one comes where the other has been; then both ways up to
+ * there are the path. */
+uint32_t ktg_net_path(ktg_net *net, uint32_t a, uint32_t b, uint32_t *path) {
+    uint32_t of_a = ktg_net_stamp(net), of_b = ktg_net_stamp(net);
+    uint32_t at[2] = {a, b}, meeting = KTG_NONE, count = 0;
+    const uint32_t own[2] = {of_a, of_b};
+    net->mark[a] = of_a;
+    if (a == b)
+        return 0;
+    net->mark[b] = of_b;
+    while (meeting == KTG_NONE) {
+        for (int i = 0; i < 2 && meeting == KTG_NONE; i++) {
+            uint32_t up = at[i] == KTG_NONE ? KTG_NONE : parent_of(net, at[i]);
+            at[i] = up;
+            if (up == KTG_NONE)
+                continue;
+            if (net->mark[up] == own[1 - i])
+                meeting = up;
+            net->mark[up] = own[i];
+        }
+    }
+    const uint32_t from[2] = {a, b};
+    for (int i = 0; i < 2; i++)
+        for (uint32_t face = from[i]; face != meeting; face = parent_of(net, face))
+            path[count++] = net->parent_edge[face];
+    return count;
+}
+
+/* Lets one side grow by the neighbours of its next face. */
+static void grow(ktg_net *net, uint32_t fold, uint32_t *queue, uint32_t *count, uint32_t *done,
+                 uint32_t stamp) {
+    uint32_t face = queue[(*done)++];
+    for (uint32_t h = 3 * face; h < 3 * face + 3; h++) {
+        uint32_t e = net->dual->halfedge_edge[h];
+        if (e == KTG_NONE || e == fold || !net->folded[e])
+            continue;
+        uint32_t other = ktg_net_across(net, e, face) / 3;
+        if (net->mark[other] == stamp)
+            continue;
+        net->mark[other] = stamp;
+        queue[(*count)++] = other;
+    }
+}
+
+bool ktg_net_smaller_side(ktg_net *net, uint32_t fold, uint32_t most, ktg_body *body) {
+    const uint32_t *pair = net->dual->edges[fold].halfedge;
+    uint32_t count[2] = {1, 1}, done[2] = {0, 0}, stamp[2];
+    for (int i = 0; i < 2; i++) {
+        stamp[i] = ktg_net_stamp(net);
+        net->queue[i][0] = pair[i] / 3;
+        net->mark[pair[i] / 3] = stamp[i];
+    }
+    while (done[0] < count[0] && done[1] < count[1]) {
+        if (done[0] > most)
+            return false;
+        grow(net, fold, net->queue[0], &count[0], &done[0], stamp[0]);
+        grow(net, fold, net->queue[1], &count[1], &done[1], stamp[1]);
+    }
+    int side = done[0] == count[0] ? 0 : 1;
+    *body = (ktg_body){net->queue[side], count[side], stamp[side]};
+    return count[side] <= most;
+}
+
+/* ---- transplants ---------------------------------------------------------------------------- */
+
+uint32_t ktg_net_conflicts_now(const ktg_net *net, const ktg_body *body) {
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < body->count; i++) {
+        uint32_t face = body->faces[i];
+        for (uint32_t c = net->first[face]; c != KTG_NONE;) {
+            const ktg_conflict *conflict = &net->conflicts[c];
+            int end = end_of(conflict, face);
+            count += net->mark[conflict->faces[1 - end]] != body->stamp;
+            c = conflict->next[end];
+        }
+    }
+    return count;
+}
+
+ktg_motion2 ktg_net_motion(const ktg_net *net, const ktg_body *body, uint32_t edge) {
+    const uint32_t *pair = net->dual->edges[edge].halfedge;
+    int inside = net->mark[pair[0] / 3] == body->stamp ? 0 : 1;
+    uint32_t own = pair[inside], other = pair[1 - inside];
+    const ktg_vec2 *here = net->corners + 3 * (size_t)(own / 3);
+    const ktg_vec2 *there = net->corners + 3 * (size_t)(other / 3);
+    return ktg_motion2_between(here[own % 3], here[(own % 3 + 1) % 3], there[(other % 3 + 1) % 3],
+                               there[other % 3]);
+}
+
+static void move_face(const ktg_net *net, uint32_t face, const ktg_motion2 *motion,
+                      ktg_vec2 moved[3]) {
+    for (int k = 0; k < 3; k++)
+        moved[k] = ktg_move2(*motion, net->corners[3 * (size_t)face + k]);
+}
+
+uint32_t ktg_net_conflicts_moved(const ktg_net *net, const ktg_body *body,
+                                 const ktg_motion2 *motion, uint32_t most) {
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < body->count && count <= most; i++) {
+        ktg_vec2 moved[3];
+        near_walk walk;
+        move_face(net, body->faces[i], motion, moved);
+        if (!start_walk(&walk, &net->grid, moved))
+            continue;
+        for (uint32_t g; (g = next_near(&walk)) != KTG_NONE;)
+            count += net->mark[g] != body->stamp && overlap(net, &walk, body->faces[i], moved, g);
+    }
+    return count;
+}
+
+static void drop_conflicts(ktg_net *net, const ktg_body *body) {
+    for (uint32_t i = 0; i < body->count; i++) {
+        uint32_t face = body->faces[i];
+        for (uint32_t c = net->first[face]; c != KTG_NONE;) {
+            const ktg_conflict *conflict = &net->conflicts[c];
+            int end = end_of(conflict, face);
+            uint32_t next = conflict->next[end];
+            if (net->mark[conflict->faces[1 - end]] != body->stamp)
+                remove_conflict(net, c);
+            c = next;
+        }
+    }
+}
+
+static ktg_status find_conflicts(ktg_context *context, ktg_net *net, const ktg_body *body) {
+    for (uint32_t i = 0; i < body->count; i++) {
+        uint32_t face = body->faces[i];
+        const ktg_vec2 *corners = net->corners + 3 * (size_t)face;
+        near_walk walk;
+        if (!start_walk(&walk, &net->grid, corners))
+            continue;
+        for (uint32_t g; (g = next_near(&walk)) != KTG_NONE;)
+            if (net->mark[g] != body->stamp && overlap(net, &walk, face, corners, g))
+                KTG_TRY(add_conflict(context, net, face, g));
+    }
+    return KTG_OK;
+}
+
+/* The part that hangs from the root below `fold` turns its parents round on the way from `edge` up
+ * to the fold. */
+static void regrow(ktg_net *net, uint32_t fold, uint32_t edge) {
+    const uint32_t *pair = net->dual->edges[fold].halfedge;
+    uint32_t top = net->parent_edge[pair[0] / 3] == fold ? pair[0] / 3 : pair[1] / 3;
+    const uint32_t *ends = net->dual->edges[edge].halfedge;
+    /* exactly one end of the new edge lies below the fold: the one whose way up passes `top` */
+    uint32_t below = ends[0] / 3;
+    for (uint32_t face = below; face != top; face = parent_of(net, face)) {
+        if (parent_of(net, face) == KTG_NONE) {
+            below = ends[1] / 3;
+            break;
+        }
+    }
+    uint32_t link = edge;
+    for (uint32_t face = below;;) {
+        uint32_t up = net->parent_edge[face];
+        uint32_t above = face == top ? KTG_NONE : parent_of(net, face);
+        net->parent_edge[face] = link;
+        if (face == top)
+            return;
+        link = up;
+        face = above;
+    }
+}
+
+ktg_status ktg_net_transplant(ktg_context *context, ktg_net *net, const ktg_body *body,
+                              uint32_t fold, uint32_t edge) {
+    ktg_motion2 motion = ktg_net_motion(net, body, edge);
+    drop_conflicts(net, body);
+    for (uint32_t i = 0; i < body->count; i++) {
+        move_face(net, body->faces[i], &motion, net->corners + 3 * (size_t)body->faces[i]);
+        put_in_grid(net, body->faces[i]);
+    }
+    regrow(net, fold, edge);
+    net->folded[fold] = false;
+    net->folded[edge] = true;
+    return find_conflicts(context, net, body);
+}

@@ -1,0 +1,111 @@
+/* unfold/net_grid.c - a hashed grid with levels. */
+#include "unfold/net_grid.h"
+#include "core/memory.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Sizes further than this below the largest share the lowest level. */
+#define MOST_LEVELS 20
+
+static void choose_levels(const double *sizes, uint32_t face_count, ktg_net_grid *grid) {
+    double least = INFINITY, most = 0;
+    for (uint32_t f = 0; f < face_count; f++) {
+        most = fmax(most, sizes[f]);
+        least = sizes[f] > 0 ? fmin(least, sizes[f]) : least;
+    }
+    int highest = most > 0 ? ilogb(most) + 1 : 0;
+    grid->lowest = isfinite(least) ? ilogb(least) + 1 : highest;
+    if (highest - grid->lowest >= MOST_LEVELS)
+        grid->lowest = highest - MOST_LEVELS + 1;
+    grid->level_count = highest - grid->lowest + 1;
+    for (uint32_t f = 0; f < face_count; f++) {
+        int level = sizes[f] > 0 ? ilogb(sizes[f]) + 1 - grid->lowest : 0;
+        grid->level[f] = (uint8_t)(level > 0 ? level : 0);
+    }
+}
+
+ktg_status ktg_net_grid_new(ktg_context *context, const double *sizes, uint32_t face_count,
+                            ktg_net_grid *grid) {
+    *grid = (ktg_net_grid){.face_count = face_count, .mask = 63};
+    while (grid->mask < 2 * (size_t)face_count)
+        grid->mask = 2 * grid->mask + 1;
+    grid->head = ktg_new(context, grid->mask + 1, uint32_t);
+    grid->next = ktg_new(context, face_count, uint32_t);
+    grid->previous = ktg_new(context, face_count, uint32_t);
+    grid->bucket = ktg_new(context, face_count, uint32_t);
+    grid->cell = ktg_new(context, 2 * (size_t)face_count, int32_t);
+    grid->level = ktg_new(context, face_count, uint8_t);
+    grid->level_faces = ktg_new(context, MOST_LEVELS + 1, uint32_t);
+    if (!grid->head || !grid->next || !grid->previous || !grid->bucket || !grid->cell ||
+        !grid->level || !grid->level_faces) {
+        ktg_net_grid_free(grid);
+        return KTG_MEMORY;
+    }
+    memset(grid->head, 0xff, (grid->mask + 1) * sizeof *grid->head);
+    memset(grid->bucket, 0xff, face_count * sizeof *grid->bucket);
+    choose_levels(sizes, face_count, grid);
+    return KTG_OK;
+}
+
+void ktg_net_grid_free(ktg_net_grid *grid) {
+    ktg_free(grid->head);
+    ktg_free(grid->next);
+    ktg_free(grid->previous);
+    ktg_free(grid->bucket);
+    ktg_free(grid->cell);
+    ktg_free(grid->level);
+    ktg_free(grid->level_faces);
+    *grid = (ktg_net_grid){0};
+}
+
+static size_t bucket_of(const ktg_net_grid *grid, int level, int32_t x, int32_t y) {
+    uint64_t key =
+        ((uint64_t)(uint32_t)x << 32 | (uint32_t)y) + (uint64_t)level * 0x632be59bd9b4e019u;
+    key *= 0x9e3779b97f4a7c15u;
+    return (size_t)(key >> 32) & grid->mask;
+}
+
+static int32_t cell_at(const ktg_net_grid *grid, int level, double x) {
+    return (int32_t)floor(ldexp(x, -(grid->lowest + level)));
+}
+
+static void take_out(ktg_net_grid *grid, uint32_t face) {
+    uint32_t next = grid->next[face], previous = grid->previous[face];
+    if (previous != KTG_NONE)
+        grid->next[previous] = next;
+    else
+        grid->head[grid->bucket[face]] = next;
+    if (next != KTG_NONE)
+        grid->previous[next] = previous;
+    grid->level_faces[grid->level[face]]--;
+}
+
+void ktg_net_grid_put(ktg_net_grid *grid, uint32_t face, ktg_vec2 centre) {
+    int level = grid->level[face];
+    int32_t x = cell_at(grid, level, centre.x), y = cell_at(grid, level, centre.y);
+    if (grid->bucket[face] != KTG_NONE)
+        take_out(grid, face);
+    size_t bucket = bucket_of(grid, level, x, y);
+    grid->cell[2 * face] = x;
+    grid->cell[2 * face + 1] = y;
+    grid->bucket[face] = (uint32_t)bucket;
+    grid->previous[face] = KTG_NONE;
+    grid->next[face] = grid->head[bucket];
+    if (grid->head[bucket] != KTG_NONE)
+        grid->previous[grid->head[bucket]] = face;
+    grid->head[bucket] = face;
+    grid->level_faces[level]++;
+}
+
+/* A face of this level reaches half a cell beyond its centre at most. */
+ktg_net_range ktg_net_grid_range(const ktg_net_grid *grid, int level, ktg_vec2 low, ktg_vec2 high) {
+    double half = ldexp(0.5, grid->lowest + level);
+    return (ktg_net_range){cell_at(grid, level, low.x - half), cell_at(grid, level, low.y - half),
+                           cell_at(grid, level, high.x + half),
+                           cell_at(grid, level, high.y + half)};
+}
+
+uint32_t ktg_net_grid_head(const ktg_net_grid *grid, int level, int32_t x, int32_t y) {
+    return grid->head[bucket_of(grid, level, x, y)];
+}

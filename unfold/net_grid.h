@@ -1,0 +1,44 @@
+/* unfold/net_grid.h - finding the faces near a box, whatever their sizes (unfold only).
+ *
+ * A hashed grid with a level for each power of two: a face lies in one cell, of the level whose
+ * cells are as large as the face, found by the centre of its box. So moving a face costs the same
+ * wherever it goes. */
+#ifndef KTG_UNFOLD_NET_GRID_H
+#define KTG_UNFOLD_NET_GRID_H
+
+#include "core/core.h"
+
+typedef struct ktg_net_grid {
+    uint32_t face_count;
+    size_t mask;        /* buckets - 1 */
+    uint32_t *head;     /* mask + 1: first face of each bucket, KTG_NONE: none */
+    uint32_t *next;     /* face_count: chain within a bucket */
+    uint32_t *previous; /* face_count; KTG_NONE: first */
+    uint32_t *bucket;   /* face_count: KTG_NONE: not in the grid */
+    int32_t *cell;      /* 2 face_count: column and row */
+    uint8_t *level;     /* face_count: fixed by the face's size */
+    int lowest;         /* exponent of level 0: its cells are 2^lowest large */
+    int level_count;
+    uint32_t *level_faces; /* level_count: faces in the grid, so that empty levels are skipped */
+} ktg_net_grid;
+
+/* sizes: face_count, an upper bound of each face's diameter (> 0 or 0). */
+KTG_NODISCARD ktg_status ktg_net_grid_new(ktg_context *context, const double *sizes,
+                                          uint32_t face_count, ktg_net_grid *grid);
+void ktg_net_grid_free(ktg_net_grid *grid);
+
+/* Puts a face where its box's centre is; it may be in the grid already. */
+void ktg_net_grid_put(ktg_net_grid *grid, uint32_t face, ktg_vec2 centre);
+
+/* The cells of one level that a box's neighbours may lie in. */
+typedef struct ktg_net_range {
+    int32_t x0, y0, x1, y1;
+} ktg_net_range;
+
+ktg_net_range ktg_net_grid_range(const ktg_net_grid *grid, int level, ktg_vec2 low, ktg_vec2 high);
+
+/* First face of the bucket of a cell; the bucket may hold other cells' faces too: compare level and
+ * cell. */
+uint32_t ktg_net_grid_head(const ktg_net_grid *grid, int level, int32_t x, int32_t y);
+
+#endif

@@ -1,0 +1,149 @@
+/* unfold/transplant.c - conflict-driven subtree transplant. */
+#include "unfold/transplant.h"
+#include "core/memory.h"
+
+#include <math.h>
+#include <stdio.h>
+
+/* Chosen by measurement on closed/1000 and closed/2000; docs/unfold.md has the figures. */
+#define FOLDS_TRIED 8   /* folds of the path looked at in a step */
+#define EDGES_TRIED 4   /* places tried for each body */
+#define TEMPERATURE 3.0 /* conflicts a step may cost, on average of the accepted */
+#define TABU_LEAST  30  /* steps for which a changed edge stays as it is: this and */
+#define TABU_MORE   60  /* up to that many more */
+#define SMALL_BODY                                                                                 \
+    8 /* bodies are at most so many faces large, drawn log-uniformly up to all of them */
+
+typedef struct transplant {
+    ktg_net *net;
+    ktg_search *search;
+    uint32_t *path;       /* face_count: folds between two overlapping faces */
+    uint32_t *rims;       /* 3 face_count: edges where a body could hang */
+    uint64_t *tabu_until; /* per dual edge: the step before which it stays as it is */
+    uint64_t step;
+    uint32_t most; /* faces of a body in this step */
+} transplant;
+
+typedef struct proposal {
+    uint32_t fold, edge;
+    int64_t cost; /* conflicts afterwards minus now; anything proposed must cost less */
+    bool found;
+} proposal;
+
+static bool is_tabu(const transplant *t, uint32_t edge) {
+    return t->tabu_until[edge] > t->step;
+}
+
+/* The cut edges between the body and the rest, which the fold's side could be joined along instead.
+ */
+static uint32_t find_rims(const transplant *t, const ktg_body *body, uint32_t fold) {
+    const ktg_net *net = t->net;
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < body->count; i++) {
+        uint32_t face = body->faces[i];
+        for (uint32_t h = 3 * face; h < 3 * face + 3; h++) {
+            uint32_t e = net->dual->halfedge_edge[h];
+            if (e == KTG_NONE || e == fold || net->folded[e] || is_tabu(t, e))
+                continue;
+            if (net->mark[ktg_net_across(net, e, face) / 3] != body->stamp)
+                t->rims[count++] = e;
+        }
+    }
+    return count;
+}
+
+static void try_fold(transplant *t, uint32_t fold, proposal *best) {
+    ktg_body body;
+    if (!ktg_net_smaller_side(t->net, fold, t->most, &body))
+        return;
+    uint32_t rims = find_rims(t, &body, fold);
+    uint32_t now = ktg_net_conflicts_now(t->net, &body);
+    for (int i = 0; i < EDGES_TRIED && rims > 0; i++) {
+        size_t k = ktg_random_below(&t->search->random, rims);
+        uint32_t edge = t->rims[k];
+        t->rims[k] = t->rims[--rims];
+        int64_t limit = best->cost + (int64_t)now - 1;
+        if (limit < 0)
+            return;
+        ktg_motion2 motion = ktg_net_motion(t->net, &body, edge);
+        int64_t cost =
+            (int64_t)ktg_net_conflicts_moved(t->net, &body, &motion, (uint32_t)limit) - now;
+        if (cost < best->cost)
+            *best = (proposal){fold, edge, cost, true};
+    }
+}
+
+/* Looks at a few folds on the way between two overlapping faces. */
+static proposal find_proposal(transplant *t) {
+    ktg_random *random = &t->search->random;
+    ktg_net *net = t->net;
+    uint32_t pick = net->live[ktg_random_below(random, net->live_count)];
+    const uint32_t *faces = net->conflicts[pick].faces;
+    double threshold = -TEMPERATURE * log(1 - ktg_random_unit(random));
+    proposal best = {.cost = 1 + (int64_t)threshold};
+    double range = fmax(1, (double)net->dual->face_count / SMALL_BODY);
+    t->most = (uint32_t)(SMALL_BODY * pow(range, ktg_random_unit(random)));
+    uint32_t length = ktg_net_path(net, faces[0], faces[1], t->path);
+    for (int i = 0; i < FOLDS_TRIED && length > 0; i++) {
+        size_t k = ktg_random_below(random, length);
+        uint32_t fold = t->path[k];
+        t->path[k] = t->path[--length];
+        if (!net->dual->edges[fold].rigid && !is_tabu(t, fold))
+            try_fold(t, fold, &best);
+    }
+    return best;
+}
+
+static ktg_status take_step(ktg_context *context, transplant *t) {
+    proposal best = find_proposal(t);
+    ktg_body body;
+    if (!best.found || !ktg_net_smaller_side(t->net, best.fold, t->most, &body))
+        return KTG_OK;
+    KTG_TRY(ktg_net_transplant(context, t->net, &body, best.fold, best.edge));
+    t->tabu_until[best.fold] = t->tabu_until[best.edge] =
+        t->step + TABU_LEAST + ktg_random_below(&t->search->random, TABU_MORE);
+    return KTG_OK;
+}
+
+static void tell_progress(ktg_context *context, const transplant *t) {
+    const ktg_search *search = t->search;
+    char detail[64];
+    size_t left = t->net->live_count;
+    double own = 1.0 / (1.0 + (double)left) * t->net->dual->face_count;
+    snprintf(detail, sizeof detail, "%zu overlap%s left", left, left == 1 ? "" : "s");
+    ktg_progress(context, "unfold", (search->faces_done + own) / search->faces_all, detail);
+}
+
+static ktg_status run(ktg_context *context, transplant *t, uint64_t patience) {
+    uint64_t last_gain = 0;
+    size_t least = t->net->live_count;
+    for (t->step = 1; t->net->live_count > 0 && t->step - last_gain <= patience; t->step++) {
+        if (t->step % 64 == 0) {
+            tell_progress(context, t);
+            if (!ktg_search_goes_on(context, t->search))
+                break;
+        }
+        KTG_TRY(take_step(context, t));
+        if (t->net->live_count < least) {
+            least = t->net->live_count;
+            last_gain = t->step;
+        }
+    }
+    t->search->report.evaluations += t->step - 1;
+    return KTG_OK;
+}
+
+ktg_status ktg_transplant_run(ktg_context *context, ktg_net *net, uint64_t patience,
+                              ktg_search *search) {
+    size_t faces = net->dual->face_count;
+    transplant t = {.net = net,
+                    .search = search,
+                    .path = ktg_new(context, faces, uint32_t),
+                    .rims = ktg_new(context, 3 * faces, uint32_t),
+                    .tabu_until = ktg_new(context, net->dual->edge_count, uint64_t)};
+    ktg_status status = t.path && t.rims && t.tabu_until ? run(context, &t, patience) : KTG_MEMORY;
+    ktg_free(t.path);
+    ktg_free(t.rims);
+    ktg_free(t.tabu_until);
+    return status;
+}
