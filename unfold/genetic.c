@@ -150,7 +150,7 @@ static ktg_status next_generation(ktg_context *context, population *p) {
 }
 
 static void tell_progress(ktg_context *context, const population *p, uint32_t generation) {
-    const ktg_search *search = p->search;
+    ktg_search *search = p->search;
     const ktg_chromosome *best = &p->members[0];
     char detail[80];
     uint32_t pieces = p->strips->patch_count - best->accepted;
@@ -158,7 +158,7 @@ static void tell_progress(ktg_context *context, const population *p, uint32_t ge
     double own = all / (all + 100) * p->strips->dual->face_count; /* goes on through restarts */
     snprintf(detail, sizeof detail, "generation %u, %u piece%s", generation, pieces,
              pieces == 1 ? "" : "s");
-    ktg_progress(context, "unfold", (search->faces_done + own) / search->faces_all, detail);
+    ktg_search_progress(context, search, own, detail);
 }
 
 static ktg_status first_generation(ktg_context *context, population *p) {

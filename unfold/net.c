@@ -12,6 +12,7 @@ void ktg_net_free(ktg_net **net) {
     ktg_free(n->folded);
     ktg_free(n->parent_edge);
     ktg_free(n->corners);
+    ktg_free(n->turn);
     ktg_net_grid_free(&n->grid);
     ktg_free(n->conflicts);
     ktg_free(n->live);
@@ -167,13 +168,32 @@ static void put_in_grid(ktg_net *net, uint32_t face) {
 
 /* ---- laying flat ---------------------------------------------------------------------------- */
 
+/* The turn the face of half-edge `own` has when it lies against half-edge `other`: from the edge's
+ * vectors in both faces' own frames, which are precise however short the edge is. */
+static ktg_vec2 turn_against(const ktg_net *net, uint32_t other, uint32_t own) {
+    ktg_vec2 turn = net->turn[other / 3], from = net->dual->flat_vectors[own];
+    ktg_vec2 v = net->dual->flat_vectors[other];
+    ktg_vec2 along = {-(turn.x * v.x - turn.y * v.y), -(turn.y * v.x + turn.x * v.y)};
+    return ktg_unit2((ktg_vec2){ktg_dot2(from, along), ktg_cross2(from, along)});
+}
+
+/* The motion with a given turn that brings the middle of a - b to the middle of A - B. */
+static ktg_motion2 motion_to(ktg_vec2 turn, ktg_vec2 a, ktg_vec2 b, ktg_vec2 A, ktg_vec2 B) {
+    ktg_motion2 m = {turn.x, turn.y, {0, 0}};
+    m.t = ktg_sub2(ktg_mul2(ktg_add2(A, B), 0.5), ktg_move2(m, ktg_mul2(ktg_add2(a, b), 0.5)));
+    return m;
+}
+
 static void lay_against(ktg_net *net, uint32_t other, uint32_t own) {
-    const ktg_vec2 *flat = net->dual->flat + 3 * (size_t)(own / 3);
+    uint32_t face = own / 3;
+    const ktg_vec2 *flat = net->dual->flat + 3 * (size_t)face;
     const ktg_vec2 *there = net->corners + 3 * (size_t)(other / 3);
     int j = own % 3, k = other % 3;
-    ktg_motion2 m = ktg_motion2_between(flat[j], flat[(j + 1) % 3], there[(k + 1) % 3], there[k]);
+    net->turn[face] = turn_against(net, other, own);
+    ktg_motion2 m =
+        motion_to(net->turn[face], flat[j], flat[(j + 1) % 3], there[(k + 1) % 3], there[k]);
     for (int i = 0; i < 3; i++)
-        net->corners[3 * (size_t)(own / 3) + i] = ktg_move2(m, flat[i]);
+        net->corners[3 * (size_t)face + i] = ktg_move2(m, flat[i]);
 }
 
 /* Breadth first from face 0; parents point back. */
@@ -181,6 +201,7 @@ static void lay_tree(ktg_net *net) {
     uint32_t stamp = ktg_net_stamp(net), count = 1, *queue = net->queue[0];
     memcpy(net->corners, net->dual->flat, 3 * sizeof(ktg_vec2));
     net->parent_edge[0] = KTG_NONE;
+    net->turn[0] = (ktg_vec2){1, 0};
     net->mark[0] = stamp;
     queue[0] = 0;
     for (uint32_t i = 0; i < count; i++) {
@@ -224,13 +245,14 @@ static ktg_status allocate(ktg_context *context, ktg_net *net) {
     size_t n = net->dual->face_count;
     net->parent_edge = ktg_new(context, n, uint32_t);
     net->corners = ktg_new(context, 3 * n, ktg_vec2);
+    net->turn = ktg_new(context, n, ktg_vec2);
     net->first = ktg_new(context, n, uint32_t);
     net->mark = ktg_new(context, n, uint32_t);
     net->queue[0] = ktg_new(context, n, uint32_t);
     net->queue[1] = ktg_new(context, n, uint32_t);
     double *sizes = ktg_new(context, n, double);
     ktg_status status = KTG_MEMORY;
-    if (net->parent_edge && net->corners && net->first && net->mark && net->queue[0] &&
+    if (net->parent_edge && net->corners && net->turn && net->first && net->mark && net->queue[0] &&
         net->queue[1] && sizes) {
         for (size_t f = 0; f < n; f++) {
             const double *l = net->dual->lengths + 3 * f;
@@ -349,8 +371,10 @@ ktg_motion2 ktg_net_motion(const ktg_net *net, const ktg_body *body, uint32_t ed
     uint32_t own = pair[inside], other = pair[1 - inside];
     const ktg_vec2 *here = net->corners + 3 * (size_t)(own / 3);
     const ktg_vec2 *there = net->corners + 3 * (size_t)(other / 3);
-    return ktg_motion2_between(here[own % 3], here[(own % 3 + 1) % 3], there[(other % 3 + 1) % 3],
-                               there[other % 3]);
+    ktg_vec2 now = net->turn[own / 3], then = turn_against(net, other, own);
+    ktg_vec2 turn = ktg_unit2((ktg_vec2){ktg_dot2(now, then), ktg_cross2(now, then)});
+    return motion_to(turn, here[own % 3], here[(own % 3 + 1) % 3], there[(other % 3 + 1) % 3],
+                     there[other % 3]);
 }
 
 static void move_face(const ktg_net *net, uint32_t face, const ktg_motion2 *motion,
@@ -433,6 +457,9 @@ ktg_status ktg_net_transplant(ktg_context *context, ktg_net *net, const ktg_body
     ktg_motion2 motion = ktg_net_motion(net, body, edge);
     drop_conflicts(net, body);
     for (uint32_t i = 0; i < body->count; i++) {
+        ktg_vec2 *turn = &net->turn[body->faces[i]];
+        *turn = ktg_unit2((ktg_vec2){motion.c * turn->x - motion.s * turn->y,
+                                     motion.s * turn->x + motion.c * turn->y});
         move_face(net, body->faces[i], &motion, net->corners + 3 * (size_t)body->faces[i]);
         put_in_grid(net, body->faces[i]);
     }

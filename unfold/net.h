@@ -21,6 +21,7 @@ typedef struct ktg_net {
     bool *folded;          /* edge_count: the tree */
     uint32_t *parent_edge; /* face_count: dual edge towards the root; KTG_NONE at the root */
     ktg_vec2 *corners;     /* 3 face_count */
+    ktg_vec2 *turn; /* face_count: cosine and sine from the dual's flat face to the one here */
     ktg_net_grid grid;
     ktg_conflict *conflicts; /* freed ones are chained through next[0] */
     size_t conflict_count, conflict_capacity;

@@ -15,6 +15,12 @@ bool ktg_search_goes_on(ktg_context *context, ktg_search *search) {
     return false;
 }
 
+void ktg_search_progress(ktg_context *context, ktg_search *search, double own, const char *detail) {
+    double fraction = (search->faces_done + own) / search->faces_all;
+    search->told = fraction > search->told ? fraction : search->told;
+    ktg_progress(context, "unfold", search->told, detail);
+}
+
 const char *ktg_stopped_by_name(ktg_stopped_by stopped_by) {
     static const char *const names[] = {"done", "work", "time", "interrupt"};
     return names[stopped_by];

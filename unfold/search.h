@@ -11,11 +11,16 @@ typedef struct ktg_search {
     double deadline;                /* monotonic seconds; 0: none */
     uint32_t faces_done, faces_all; /* for progress: of finished components, of all */
     uint32_t generations_before;    /* spent on those components */
+    double told;                    /* the progress told last */
     ktg_unfold_report report;
 } ktg_search;
 
 /* False, with the reason in search->report.stopped_by, when time is up or the caller wants to stop.
  */
 bool ktg_search_goes_on(ktg_context *context, ktg_search *search);
+
+/* Tells the progress: `own` faces of the present component count as done. It never runs backwards.
+ */
+void ktg_search_progress(ktg_context *context, ktg_search *search, double own, const char *detail);
 
 #endif

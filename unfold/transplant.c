@@ -106,19 +106,19 @@ static ktg_status take_step(ktg_context *context, transplant *t) {
 }
 
 static void tell_progress(ktg_context *context, const transplant *t) {
-    const ktg_search *search = t->search;
+    ktg_search *search = t->search;
     char detail[64];
     size_t left = t->net->live_count;
     double own = 1.0 / (1.0 + (double)left) * t->net->dual->face_count;
     snprintf(detail, sizeof detail, "%zu overlap%s left", left, left == 1 ? "" : "s");
-    ktg_progress(context, "unfold", (search->faces_done + own) / search->faces_all, detail);
+    ktg_search_progress(context, search, own, detail);
 }
 
 static ktg_status run(ktg_context *context, transplant *t, uint64_t patience) {
     uint64_t last_gain = 0;
     size_t least = t->net->live_count;
     for (t->step = 1; t->net->live_count > 0 && t->step - last_gain <= patience; t->step++) {
-        if (t->step % 64 == 0) {
+        if (t->step % 64 == 1) {
             tell_progress(context, t);
             if (!ktg_search_goes_on(context, t->search))
                 break;

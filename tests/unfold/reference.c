@@ -146,13 +146,18 @@ void reference_angle_sums(const ktg_mesh *mesh, double *sums) {
 /* ---- nets -------------------------------------------------------------------------------------
  */
 
+/* The largest side of the box around all faces. */
 static double extent_of(const ktg_mesh *mesh) {
-    double extent = 0;
+    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
     for (uint32_t i = 0; i < 3 * mesh->face_count; i++) {
-        ktg_vec3 d = ktg_sub3(mesh->positions[mesh->faces[i]], mesh->positions[mesh->faces[0]]);
-        extent = fmax(extent, ktg_length3(d));
+        ktg_vec3 p = mesh->positions[mesh->faces[i]];
+        const double at[3] = {p.x, p.y, p.z};
+        for (int k = 0; k < 3; k++) {
+            low[k] = fmin(low[k], at[k]);
+            high[k] = fmax(high[k], at[k]);
+        }
     }
-    return extent;
+    return fmax(high[0] - low[0], fmax(high[1] - low[1], high[2] - low[2]));
 }
 
 /* Where a face of the surface lies: its piece and its place in it. */

@@ -9,16 +9,31 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Little work, where something is done often. */
-static ktg_unfold_options quick(void) {
+static ktg_unfold_options options_of(ktg_unfold_method method) {
     ktg_unfold_options options;
     ktg_unfold_defaults(&options);
+    options.method = method;
+    return options;
+}
+
+/* Little work, where something is done often. */
+static ktg_unfold_options quick(void) {
+    ktg_unfold_options options = options_of(KTG_METHOD_GENETIC);
     options.population = 8;
     options.patience = 4;
     options.restarts = 2;
     return options;
 }
 
+static ktg_pattern *unfold_by(ktg_context *context, ktg_unfold_method method, const ktg_mesh *mesh,
+                              ktg_unfold_report *report) {
+    ktg_pattern *pattern;
+    ktg_unfold_options options = options_of(method);
+    assert_int_equal(ktg_unfold(context, mesh, "model", &options, &pattern, report), KTG_OK);
+    return pattern;
+}
+
+/* By the default method. */
 static ktg_pattern *unfold(ktg_context *context, const ktg_mesh *mesh, ktg_unfold_report *report) {
     ktg_pattern *pattern;
     assert_int_equal(ktg_unfold(context, mesh, "model", NULL, &pattern, report), KTG_OK);
@@ -33,17 +48,20 @@ static ktg_pattern *unfold_quickly(ktg_context *context, const ktg_mesh *mesh,
     return pattern;
 }
 
-/* Unfolds, checks, frees the mesh; at most `most` pieces. */
+/* Unfolds by each method, checks, frees the mesh; at most `most` pieces. */
 static void assert_unfolds(ktg_context *context, ktg_mesh *mesh, uint32_t most) {
-    ktg_unfold_report report;
-    ktg_pattern *pattern = unfold(context, mesh, &report);
-    assert_sound_net(context, mesh, pattern);
-    assert_int_equal(report.pieces, pattern->piece_count);
-    assert_int_equal(report.components, pattern->component_count);
-    assert_in_range(report.pieces, report.components, most);
-    assert_in_range(report.strips, report.components, mesh->face_count);
-    assert_int_equal(report.stopped_by, KTG_STOPPED_DONE);
-    ktg_pattern_free(&pattern);
+    for (ktg_unfold_method method = KTG_METHOD_AUTO; method <= KTG_METHOD_GENETIC; method++) {
+        ktg_unfold_report report;
+        ktg_pattern *pattern = unfold_by(context, method, mesh, &report);
+        assert_sound_net(context, mesh, pattern);
+        assert_int_equal(report.pieces, pattern->piece_count);
+        assert_int_equal(report.components, pattern->component_count);
+        assert_in_range(report.pieces, report.components, most);
+        if (method == KTG_METHOD_GENETIC)
+            assert_in_range(report.strips, report.components, mesh->face_count);
+        assert_int_equal(report.stopped_by, KTG_STOPPED_DONE);
+        ktg_pattern_free(&pattern);
+    }
     ktg_mesh_free(&mesh);
 }
 
@@ -310,7 +328,7 @@ static void a_wish_to_finish_gives_a_sound_net_early(void **state) {
         asker user = {.from = from, .wish = KTG_FINISH};
         ktg_unfold_report report;
         ktg_context_set_cancel(*state, ask, &user);
-        ktg_pattern *pattern = unfold(*state, mesh, &report);
+        ktg_pattern *pattern = unfold_by(*state, KTG_METHOD_GENETIC, mesh, &report);
         assert_int_equal(report.stopped_by, KTG_STOPPED_INTERRUPT);
         assert_in_range(report.evaluations, 1, from + 4);
         assert_sound_net(*state, mesh, pattern);
@@ -325,9 +343,9 @@ static void a_wish_to_stop_cancels_soon(void **state) {
     for (uint32_t from = 0; from < 100; from = 3 * from + 1) {
         asker user = {.from = from, .wish = KTG_STOP};
         ktg_pattern *pattern = (ktg_pattern *)&user;
-        ktg_unfold_report report;
+        ktg_unfold_options options = options_of(KTG_METHOD_GENETIC);
         ktg_context_set_cancel(*state, ask, &user);
-        assert_int_equal(ktg_unfold(*state, mesh, NULL, NULL, &pattern, &report), KTG_CANCELLED);
+        assert_int_equal(ktg_unfold(*state, mesh, NULL, &options, &pattern, NULL), KTG_CANCELLED);
         assert_null(pattern);
         assert_in_range(user.calls, from + 1, from + 3);
     }
@@ -335,12 +353,27 @@ static void a_wish_to_stop_cancels_soon(void **state) {
     ktg_mesh_free(&mesh);
 }
 
+static void transplants_can_be_ended_and_stopped_too(void **state) {
+    ktg_mesh *mesh = shape_knot(*state, 60, 6);
+    asker user = {.wish = KTG_FINISH};
+    ktg_unfold_report report;
+    ktg_context_set_cancel(*state, ask, &user);
+    ktg_pattern *pattern = unfold(*state, mesh, &report);
+    assert_int_equal(report.stopped_by, KTG_STOPPED_INTERRUPT);
+    assert_sound_net(*state, mesh, pattern);
+    ktg_pattern_free(&pattern);
+    user = (asker){.wish = KTG_STOP};
+    assert_int_equal(ktg_unfold(*state, mesh, NULL, NULL, &pattern, NULL), KTG_CANCELLED);
+    assert_null(pattern);
+    ktg_context_set_cancel(*state, NULL, NULL);
+    ktg_mesh_free(&mesh);
+}
+
 static void a_time_limit_stops_the_search_not_the_answer(void **state) {
     ktg_mesh *mesh = shape_bumpy_sphere(*state);
-    ktg_unfold_options options;
+    ktg_unfold_options options = options_of(KTG_METHOD_GENETIC);
     ktg_unfold_report report;
     ktg_pattern *pattern;
-    ktg_unfold_defaults(&options);
     options.seconds = 1e-9;
     assert_int_equal(ktg_unfold(*state, mesh, NULL, &options, &pattern, &report), KTG_OK);
     assert_int_equal(report.stopped_by, KTG_STOPPED_TIME);
@@ -388,10 +421,13 @@ static void progress_never_runs_backwards(void **state) {
     ktg_mesh *mesh = shape_beside(*state, knot, torus, (ktg_vec3){2, 0, 0});
     listener user = {0};
     ktg_context_set_progress(*state, listen, &user);
-    ktg_pattern *pattern = unfold(*state, mesh, NULL);
+    for (ktg_unfold_method method = KTG_METHOD_AUTO; method <= KTG_METHOD_GENETIC; method++) {
+        user = (listener){0};
+        ktg_pattern *pattern = unfold_by(*state, method, mesh, NULL);
+        assert_true(user.calls > (method == KTG_METHOD_GENETIC ? 4 : 0));
+        ktg_pattern_free(&pattern);
+    }
     ktg_context_set_progress(*state, NULL, NULL);
-    assert_true(user.calls > 4);
-    ktg_pattern_free(&pattern);
     ktg_mesh_free(&knot);
     ktg_mesh_free(&torus);
     ktg_mesh_free(&mesh);
@@ -506,6 +542,7 @@ int main(void) {
         cmocka_unit_test(a_moved_turned_or_renumbered_model_has_as_good_a_net),
         cmocka_unit_test(a_wish_to_finish_gives_a_sound_net_early),
         cmocka_unit_test(a_wish_to_stop_cancels_soon),
+        cmocka_unit_test(transplants_can_be_ended_and_stopped_too),
         cmocka_unit_test(a_time_limit_stops_the_search_not_the_answer),
         cmocka_unit_test(used_up_generations_are_reported),
         cmocka_unit_test(progress_never_runs_backwards),
