@@ -90,7 +90,7 @@ static ktg_status print_components(ktg_context *context, const ktg_mesh *mesh) {
             faces += face_component[f] == c;
         fputs("  part ", stdout);
         cli_print_safe(stdout, names.text[c]);
-        printf(": %u faces\n", faces);
+        printf(": %u face%s\n", faces, faces == 1 ? "" : "s");
     }
     if (status == KTG_OK && count > MOST_LISTED)
         printf("  and %u more part%s\n", count - MOST_LISTED, count - MOST_LISTED == 1 ? "" : "s");

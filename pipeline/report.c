@@ -14,6 +14,13 @@ static ktg_status put_text(ktg_context *context, ktg_output *output, const char 
     return ktg_output_print(context, output, ",\n  \"%s\": \"%s\"", key, text);
 }
 
+/* A number as long as every reader of JSON keeps it exactly (2^53), else text. */
+static ktg_status put_seed(ktg_context *context, ktg_output *output) {
+    uint64_t seed = ktg_context_seed(context);
+    const char *quote = seed > UINT64_C(1) << 53 ? "\"" : "";
+    return ktg_output_print(context, output, ",\n  \"seed\": %s%" PRIu64 "%s", quote, seed, quote);
+}
+
 typedef struct figure {
     const char *key;
     double value;
@@ -67,8 +74,7 @@ ktg_status ktg_pipeline_write_report(ktg_context *context, const ktg_pipeline_op
                               {"seconds_unfold", r->seconds_unfold}};
     bool paper = options->mode == KTG_PAPER;
     KTG_TRY(ktg_output_print(context, output, "{\n  \"mode\": \"%s\"", paper ? "paper" : "cloth"));
-    KTG_TRY(
-        ktg_output_print(context, output, ",\n  \"seed\": %" PRIu64, ktg_context_seed(context)));
+    KTG_TRY(put_seed(context, output));
     KTG_TRY(put_figures(context, output, figures, sizeof figures / sizeof *figures));
     KTG_TRY(paper ? put_paper(context, output, r) : put_cloth(context, output, r));
     KTG_TRY(put_text(context, output, "stopped_by", ktg_stopped_by_name(r->unfold.stopped_by)));

@@ -35,7 +35,7 @@ static void tell_repair(ktg_context *context, const ktg_repair_report *r) {
                 {r->seams_opened, "edges cut because the surface has only one side"}};
     for (size_t i = 0; i < sizeof done / sizeof *done; i++)
         if (done[i].count > 0)
-            ktg_log(context, KTG_LOG_NOTE, "repaired: %u %s", done[i].count, done[i].what);
+            ktg_log(context, KTG_LOG_NOTE, "repaired: %s: %u", done[i].what, done[i].count);
 }
 
 static ktg_status simplify(ktg_context *context, const ktg_pipeline_options *options,

@@ -1,0 +1,86 @@
+/* Memory that runs out anywhere in the job: the call fails, nothing leaks, no file appears. */
+#include "bench.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+/* Lets the k-th allocation fail, k from 1 on with growing strides, until the job is done. */
+static void starve(bench *b) {
+    ktg_status status = KTG_MEMORY;
+    size_t before = bench_count(b), failures = 0;
+    strcpy(b->report, bench_path(b, "figures.json"));
+    b->options.report = b->report;
+    for (uint64_t k = 1; status != KTG_OK; k += 1 + k / 24, failures++) {
+        ktg_context_fail_allocation(b->context, k);
+        status = ktg_pipeline_run(b->context, &b->options, NULL);
+        ktg_context_fail_allocation(b->context, 0);
+        if (status == KTG_OK)
+            break;
+        if (status != KTG_MEMORY)
+            fail_msg("allocation %llu: %s, \"%s\"", (unsigned long long)k, ktg_status_name(status),
+                     ktg_context_message(b->context));
+        assert_int_equal(bench_count(b), before);
+    }
+    assert_true(failures > 50);
+    assert_int_equal(bench_count(b), before + b->options.output_count + 1);
+}
+
+static void a_net_needs_its_memory(void **state) {
+    bench *b = *state;
+    bench_sample(b, "star.obj");
+    bench_output(b, "net.pdf");
+    bench_output(b, "net.svg");
+    bench_output(b, "net.png");
+    bench_output(b, "net.json");
+    b->options.render.dots_per_inch = 20;
+    starve(b);
+}
+
+static void a_simplified_net_needs_its_memory(void **state) {
+    bench *b = *state;
+    bench_sample(b, "robot.obj"); /* of many parts, on several sheets */
+    bench_output(b, "net.json");
+    b->options.faces = 700;
+    b->options.unfold.method = KTG_METHOD_GENETIC;
+    b->options.unfold.generations = 3;
+    starve(b);
+}
+
+static void a_panel_needs_its_memory(void **state) {
+    bench *b = *state;
+    char text[4096] = "";
+    size_t length = 0;
+    for (int i = 0; i < 36; i++)
+        length += (size_t)snprintf(text + length, sizeof text - length, "v %d %d %g\n", i % 6,
+                                   i / 6, 0.02 * (i % 6) * (i / 6));
+    for (int i = 0; i < 35; i++)
+        if (i % 6 < 5 && i < 30)
+            length +=
+                (size_t)snprintf(text + length, sizeof text - length, "f %d %d %d\nf %d %d %d\n",
+                                 i + 1, i + 2, i + 7, i + 2, i + 8, i + 7);
+    bench_write(b, "panel.obj", text);
+    strcpy(b->model, bench_path(b, "panel.obj"));
+    b->options.model = b->model;
+    b->options.faces = KTG_ALL_FACES;
+    b->options.mode = KTG_CLOTH;
+    b->options.size_rule = KTG_SIZE_FACTOR;
+    b->options.size_mm = 10;
+    bench_output(b, "panel.pdf");
+    bench_output(b, "panel.json");
+    starve(b);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(a_net_needs_its_memory, bench_setup, bench_teardown),
+        cmocka_unit_test_setup_teardown(a_simplified_net_needs_its_memory, bench_setup,
+                                        bench_teardown),
+        cmocka_unit_test_setup_teardown(a_panel_needs_its_memory, bench_setup, bench_teardown),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

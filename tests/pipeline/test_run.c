@@ -1,0 +1,244 @@
+/* The whole job on the project's own samples: what it reports, what it writes, how large it gets.
+ */
+#include "bench.h"
+
+#include <jansson.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static void the_report_says_what_the_pattern_holds(void **state) {
+    bench *b = *state;
+    static const struct {
+        const char *file;
+        uint32_t faces, components;
+    } samples[] = {{"house.obj", 112, 1},  {"star.obj", 60, 1},     {"mask.obj", 160, 1},
+                   {"torus.obj", 256, 1},  {"fox.obj", 340, 1},     {"lampshade.obj", 336, 1},
+                   {"robot.obj", 940, 21}, {"geodesic.obj", 180, 1}};
+    bench_output(b, "net.json");
+    bench_output(b, "net.pdf");
+    for (size_t i = 0; i < sizeof samples / sizeof *samples; i++) {
+        ktg_pipeline_report r;
+        bench_sample(b, samples[i].file);
+        bench_run(b, &r);
+        assert_int_equal(bench_count(b), 2);
+        ktg_pattern *p = bench_pattern(b, "net.json");
+        assert_string_equal(p->model_file, samples[i].file);
+        assert_int_equal(r.faces, samples[i].faces);
+        assert_int_equal(r.model.faces, samples[i].faces);
+        assert_int_equal(r.components, samples[i].components);
+        assert_int_equal(r.unfold.components, samples[i].components);
+        assert_int_equal(p->face_count, r.faces);
+        assert_int_equal(p->model_faces, r.model.faces);
+        assert_int_equal(p->component_count, r.components);
+        assert_int_equal(p->piece_count, r.pieces);
+        assert_int_equal(p->seam_count, r.finish.seams);
+        assert_int_equal(p->sheet_count, r.layout.sheets);
+        assert_int_equal(p->sheet_count, 1);
+        assert_true(p->mm_per_unit == r.mm_per_unit);
+        assert_false(p->simplified);
+        assert_false(r.repair.changed);
+        assert_int_equal(r.up, KTG_AXIS_Y);
+        assert_true(r.layout.fill > 0.01 && r.layout.fill < 1);
+        assert_true(0 < r.seconds_unfold && r.seconds_unfold <= r.seconds);
+        size_t tabs = 0;
+        for (size_t k = 0; k < p->piece_count; k++)
+            tabs += p->pieces[k].tab_count;
+        assert_int_equal(tabs, r.finish.tabs_full + r.finish.tabs_reduced);
+        bench_sound(b, p);
+        ktg_pattern_free(&p);
+    }
+}
+
+static double number(const json_t *figures, const char *key) {
+    const json_t *value = json_object_get(figures, key);
+    if (!json_is_number(value))
+        fail_msg("no number: %s", key);
+    return json_number_value(value);
+}
+
+static void the_figures_are_written_as_they_are(void **state) {
+    bench *b = *state;
+    ktg_pipeline_report r;
+    json_error_t error;
+    bench_sample(b, "robot.obj");
+    bench_output(b, "net.json");
+    strcpy(b->report, bench_path(b, "figures.json"));
+    b->options.report = b->report;
+    ktg_context_set_seed(b->context, UINT64_MAX);
+    bench_run(b, &r);
+    json_t *f = json_load_file(b->report, 0, &error);
+    assert_non_null(f);
+    assert_true(number(f, "faces") == r.faces);
+    assert_true(number(f, "pieces") == r.pieces);
+    assert_true(number(f, "components") == 21);
+    assert_true(number(f, "seams") == r.finish.seams);
+    assert_true(number(f, "tabs_full") == r.finish.tabs_full);
+    assert_true(number(f, "tabs_reduced") == r.finish.tabs_reduced);
+    assert_true(number(f, "tabs_none") == r.finish.tabs_none);
+    assert_true(number(f, "sheets") == r.layout.sheets);
+    assert_true(number(f, "mm_per_unit") == r.mm_per_unit);
+    assert_true(number(f, "fill") == r.layout.fill);
+    assert_true(number(f, "height_mm") == r.size_mm.y);
+    assert_true(number(f, "seconds_unfold") == r.seconds_unfold);
+    assert_true(number(f, "seconds") >= r.seconds_unfold && number(f, "seconds") <= r.seconds);
+    assert_string_equal(json_string_value(json_object_get(f, "stopped_by")),
+                        ktg_stopped_by_name(r.unfold.stopped_by));
+    assert_string_equal(json_string_value(json_object_get(f, "mode")), "paper");
+    assert_string_equal(json_string_value(json_object_get(f, "seed")), "18446744073709551615");
+    json_decref(f);
+    ktg_context_set_seed(b->context, UINT64_C(1) << 53);
+    bench_run(b, &r);
+    f = json_load_file(b->report, 0, &error);
+    assert_int_equal(json_integer_value(json_object_get(f, "seed")), UINT64_C(1) << 53);
+    json_decref(f);
+}
+
+static ktg_vec3 extents(const ktg_pattern *p) {
+    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    for (uint32_t v = 0; v < p->vertex_count; v++) {
+        const double c[3] = {p->vertices[v].x, p->vertices[v].y, p->vertices[v].z};
+        for (int k = 0; k < 3; k++) {
+            low[k] = fmin(low[k], c[k]);
+            high[k] = fmax(high[k], c[k]);
+        }
+    }
+    return (ktg_vec3){high[0] - low[0], high[1] - low[1], high[2] - low[2]};
+}
+
+static void the_wished_size_is_hit_whichever_axis_is_up(void **state) {
+    bench *b = *state;
+    bench_sample(b, "house.obj");
+    bench_output(b, "net.json");
+    /* for up = auto, x, y, z: which of x, y, z (0, 1, 2) is height, width, length */
+    static const int axis_of[4][3] = {{1, 0, 2}, {0, 2, 1}, {1, 0, 2}, {2, 0, 1}};
+    for (int up = KTG_AXIS_AUTO; up <= KTG_AXIS_Z; up++)
+        for (int rule = KTG_SIZE_HEIGHT; rule <= KTG_SIZE_LENGTH; rule++) {
+            ktg_pipeline_report r;
+            b->options.up = (ktg_axis)up;
+            b->options.size_rule = (ktg_size_rule)rule;
+            b->options.size_mm = 31.7;
+            bench_run(b, &r);
+            ktg_pattern *p = bench_pattern(b, "net.json");
+            ktg_vec3 e = extents(p);
+            const double along[3] = {e.x, e.y, e.z};
+            const int *axis = axis_of[up];
+            assert_true(fabs(along[axis[rule - KTG_SIZE_HEIGHT]] - 31.7) < 1e-9);
+            assert_true(fabs(r.size_mm.y - along[axis[0]]) < 1e-9);
+            assert_true(fabs(r.size_mm.x - along[axis[1]]) < 1e-9);
+            assert_true(fabs(r.size_mm.z - along[axis[2]]) < 1e-9);
+            assert_int_equal(r.up, up == KTG_AXIS_AUTO ? KTG_AXIS_Y : up);
+            ktg_pattern_free(&p);
+        }
+}
+
+static void a_factor_is_taken_as_it_is(void **state) {
+    bench *b = *state;
+    ktg_pipeline_report r;
+    bench_sample(b, "house.obj");
+    bench_output(b, "net.json");
+    b->options.size_rule = KTG_SIZE_FACTOR;
+    b->options.size_mm = 1.0 / 3;
+    bench_run(b, &r);
+    assert_true(r.mm_per_unit == 1.0 / 3);
+    assert_true(fabs(r.size_mm.x - 15.0 / 3) < 1e-12); /* the roof is 15 units wide */
+}
+
+static void what_fits_is_one_sheet_and_hardly_more_does(void **state) {
+    bench *b = *state;
+    static const char *const samples[] = {"star.obj", "house.obj", "fox.obj", "robot.obj"};
+    bench_output(b, "net.json");
+    for (size_t i = 0; i < sizeof samples / sizeof *samples; i++) {
+        ktg_pipeline_report r, larger;
+        bench_sample(b, samples[i]);
+        b->options.size_rule = KTG_SIZE_FIT;
+        bench_run(b, &r);
+        assert_int_equal(r.layout.sheets, 1);
+        b->options.size_rule = KTG_SIZE_FACTOR;
+        b->options.size_mm = r.mm_per_unit * 1.1;
+        ktg_status status = ktg_pipeline_run(b->context, &b->options, &larger);
+        if (r.pieces == 1)
+            assert_int_equal(status, KTG_GEOMETRY);
+        else if (status == KTG_OK)
+            assert_true(larger.layout.sheets > 1);
+    }
+}
+
+static void a_large_model_is_simplified_and_says_so(void **state) {
+    bench *b = *state;
+    ktg_pipeline_report r;
+    bench_sample(b, "dragon-egg.obj");
+    bench_output(b, "net.json");
+    b->options.faces = 200;
+    bench_run(b, &r);
+    assert_int_equal(r.simplify.faces_before, 20480);
+    assert_true(r.simplify.target_reached && r.faces <= 200 && r.faces > 190);
+    ktg_pattern *p = bench_pattern(b, "net.json");
+    assert_true(p->simplified);
+    assert_int_equal(p->model_faces, 20480);
+    bench_sound(b, p);
+    ktg_pattern_free(&p);
+}
+
+static void cloth_goes_the_same_way(void **state) {
+    bench *b = *state;
+    ktg_pipeline_report r;
+    bench_sample(b, "blouse-front.obj");
+    bench_output(b, "panel.json");
+    bench_output(b, "panel.pdf");
+    b->options.mode = KTG_CLOTH;
+    b->options.size_rule = KTG_SIZE_FACTOR;
+    b->options.size_mm = 2;
+    bench_run(b, &r);
+    assert_int_equal(r.pieces, 1);
+    assert_true(r.flatten.strain_max > 0 && r.flatten.strain_max < 0.2);
+    ktg_pattern *p = bench_pattern(b, "panel.json");
+    assert_int_equal(p->mode, KTG_CLOTH);
+    bench_sound(b, p);
+    ktg_pattern_free(&p);
+}
+
+static void options_that_make_no_sense_are_refused_before_the_work(void **state) {
+    bench *b = *state;
+    static const double sizes[] = {0, -1, NAN, INFINITY};
+    bench_sample(b, "no-such-model.obj"); /* it would be missed if work began */
+    bench_output(b, "net.json");
+    b->options.size_rule = KTG_SIZE_HEIGHT;
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        b->options.size_mm = sizes[i];
+        bench_refused(b, KTG_ARGUMENT, "cannot be made");
+    }
+    b->options.size_mm = 100;
+    bench_refused(b, KTG_FILE, "no-such-model.obj");
+    b->options.layout.sheet.margin_mm = 105;
+    bench_refused(b, KTG_ARGUMENT, "margins of 105 mm");
+    b->options.layout.sheet.margin_mm = 10;
+    b->options.mode = KTG_CLOTH;
+    b->options.size_rule = KTG_SIZE_FIT;
+    bench_refused(b, KTG_ARGUMENT, "cloth needs a size");
+    assert_int_equal(bench_count(b), 0);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(the_report_says_what_the_pattern_holds, bench_setup,
+                                        bench_teardown),
+        cmocka_unit_test_setup_teardown(the_figures_are_written_as_they_are, bench_setup,
+                                        bench_teardown),
+        cmocka_unit_test_setup_teardown(the_wished_size_is_hit_whichever_axis_is_up, bench_setup,
+                                        bench_teardown),
+        cmocka_unit_test_setup_teardown(a_factor_is_taken_as_it_is, bench_setup, bench_teardown),
+        cmocka_unit_test_setup_teardown(what_fits_is_one_sheet_and_hardly_more_does, bench_setup,
+                                        bench_teardown),
+        cmocka_unit_test_setup_teardown(a_large_model_is_simplified_and_says_so, bench_setup,
+                                        bench_teardown),
+        cmocka_unit_test_setup_teardown(cloth_goes_the_same_way, bench_setup, bench_teardown),
+        cmocka_unit_test_setup_teardown(options_that_make_no_sense_are_refused_before_the_work,
+                                        bench_setup, bench_teardown),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
