@@ -53,11 +53,11 @@ install_missing() {
         apt-get install -y --no-install-recommends $missing
 }
 
-# configure FOLDER [MESON OPTIONS]: sets up a build folder once.
+# configure FOLDER [MESON OPTIONS]: sets up a build folder once, and anew when the clone has moved.
 configure() {
     folder=$1
     shift
-    [ -f "$folder/build.ninja" ] && return 0
+    [ -f "$folder/build.ninja" ] && grep -qF "\"$root\"" "$folder/meson-info/meson-info.json" && return 0
     rm -rf "$folder"
     run_quietly "meson setup" meson setup "$folder" "$root" "$@"
 }
