@@ -44,6 +44,8 @@ static const char *plural(uint32_t count) {
 static void tell_result(const settings *s, const ktg_pipeline_report *r) {
     if (r->unfold.stopped_by == KTG_STOPPED_INTERRUPT)
         fputs("interrupted: this is the best pattern so far\n", stderr);
+    if (r->unfold.stopped_by == KTG_STOPPED_TIME)
+        fputs("the time is over: this is the best pattern so far\n", stderr);
     fprintf(stderr, "%u faces in %u piece%s on %u sheet%s of %s, %.0f %% filled\n", r->faces,
             r->pieces, plural(r->pieces), r->layout.sheets, plural(r->layout.sheets),
             s->pipeline.layout.sheet.name, 100 * r->layout.fill);

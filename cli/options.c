@@ -291,8 +291,9 @@ typedef struct option_line {
 } option_line;
 
 static const option_line lines[] = {
-    {"output", 'o', "FILE", PAPER | CMD_SIMPLIFY, set_output,
+    {"output", 'o', "FILE", PAPER, set_output,
      "what to write, by its ending; may be given several times"},
+    {"output", 'o', "FILE", CMD_SIMPLIFY, set_output, "what to write, by its ending"},
     {"faces", 'f', "N|all", PAPER | CMD_SIMPLIFY, set_faces, "simplify to N faces, at least 4"},
     {"height", 0, "LENGTH", PAPER, set_height, "height of the finished model"},
     {"width", 0, "LENGTH", PAPER, set_width, "its width"},

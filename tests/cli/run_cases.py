@@ -17,7 +17,7 @@ what there is before:
 how to run:
   stdin FILE              what it reads
   stdout closed|full|none a pipe that nobody reads, a full disk, no standard output at all
-  interrupt N             sends SIGINT N times, half a second apart, once the program listens
+  interrupt N             sends SIGINT N times, half a second after the program listens
   run WORDS...            runs the program; what stands below is about this run
 what is expected:
   exit N                  must follow every run
@@ -130,17 +130,24 @@ class Case:
         if self.output == 'none':
             os.close(1)
 
+    def signals(self, process, key):
+        """Whether SIGINT is among the process's caught (SigCgt) or pending (ShdPnd) signals."""
+        lines = pathlib.Path('/proc/%d/status' % process.pid).read_text().splitlines()
+        masks = [int(line.split()[1], 16) for line in lines if line.startswith(key)]
+        return bool(masks and masks[0] >> (signal.SIGINT - 1) & 1)
+
     def bother(self, process):
-        """Interrupts, after the handlers are there (bit 1 of the caught signals is SIGINT)."""
-        status = pathlib.Path('/proc/%d/status' % process.pid)
+        """Interrupts, each one after the one before has arrived; the first half a second after the
+        program listens."""
         for _ in range(500):
-            caught = [line for line in status.read_text().splitlines() if 'SigCgt' in line]
-            if caught and int(caught[0].split()[1], 16) >> (signal.SIGINT - 1) & 1:
+            if self.signals(process, 'SigCgt'):
                 break
             time.sleep(0.01)
+        time.sleep(0.5)
         for _ in range(self.interrupts):
-            time.sleep(0.5)
             process.send_signal(signal.SIGINT)
+            while process.poll() is None and self.signals(process, 'ShdPnd'):
+                time.sleep(0.001)
 
     def do_run(self, *words):
         self.known = {p: p.read_bytes() for p in self.here.rglob('*') if p.is_file()}
