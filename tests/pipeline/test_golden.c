@@ -131,7 +131,7 @@ static void patterns_are_what_they_were(void **state) {
         bench_sound(b, pattern);
         if (ktg_pattern_read_json(b->context, golden_path(i), &golden) != KTG_OK)
             fail_msg("%s", ktg_context_message(b->context));
-        print_message("%s\n", models[i].name);
+        print_message("# %s\n", models[i].name); /* TAP */
         compare(pattern, golden);
         ktg_pattern_free(&pattern);
         ktg_pattern_free(&golden);
