@@ -32,15 +32,21 @@ static void output_free(ktg_output **output) {
     *output = NULL;
 }
 
+/* File names may have 255 bytes; this much of the path's own name leaves room for what is added. */
+#define MOST_OF_NAME 200
+
 /* Opens a new file beside `path`, under a name nobody else has. */
 static ktg_status open_beside(ktg_context *context, ktg_output *output) {
-    size_t length = strlen(output->path) + 48;
+    const char *slash = strrchr(output->path, '/'), *name = slash ? slash + 1 : output->path;
+    int kept = (int)(name - output->path) + (int)strnlen(name, MOST_OF_NAME);
+    size_t length = (size_t)kept + 48;
     output->beside = ktg_alloc(context, length, 1);
     if (!output->beside)
         return KTG_MEMORY;
     int file = -1;
     for (int attempt = 0; file < 0 && attempt < 1000; attempt++) {
-        snprintf(output->beside, length, "%s.%ld-%d.tmp", output->path, (long)getpid(), attempt);
+        snprintf(output->beside, length, "%.*s.%ld-%d.tmp", kept, output->path, (long)getpid(),
+                 attempt);
         file = open(output->beside, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (file < 0 && errno != EEXIST)
             break;
@@ -62,7 +68,8 @@ static ktg_status open_stream(ktg_context *context, ktg_output *output) {
         return KTG_OK;
     }
     if (stat(output->path, &about) != 0)
-        return open_beside(context, output);
+        return errno == ENOENT ? open_beside(context, output)
+                               : cannot_write(context, output->path, errno);
     if (S_ISDIR(about.st_mode))
         return ktg_fail(context, KTG_FILE, "%s: is a folder; name a file in it", output->path);
     if (S_ISREG(about.st_mode))

@@ -72,6 +72,8 @@ static ktg_status check_writable(ktg_context *context, const char *path) {
             return ktg_fail(context, KTG_FILE, "%s: cannot be written: %s", path, strerror(errno));
         if (!S_ISREG(about.st_mode))
             return KTG_OK;
+    } else if (errno != ENOENT) {
+        return ktg_fail(context, KTG_FILE, "%s: cannot be written: %s", path, strerror(errno));
     }
     if (!folder_of(path, folder, sizeof folder))
         return ktg_fail(context, KTG_FILE, "%s: cannot be written: the path is too long", path);

@@ -129,6 +129,8 @@ static ktg_status shape(ktg_context *context, const ktg_pipeline_options *option
 
 static ktg_status run(ktg_context *context, const ktg_pipeline_options *options, job *j,
                       ktg_pipeline_report *report) {
+    if (!options->model)
+        return ktg_fail(context, KTG_ARGUMENT, "no model is named");
     KTG_TRY(ktg_size_check(context, options));
     KTG_TRY(ktg_outputs_check(context, options));
     j->title = title_of(context, options->model);

@@ -220,6 +220,8 @@ static void options_that_make_no_sense_are_refused_before_the_work(void **state)
     b->options.mode = KTG_CLOTH;
     b->options.size_rule = KTG_SIZE_FIT;
     bench_refused(b, KTG_ARGUMENT, "cloth needs a size");
+    b->options.model = NULL;
+    bench_refused(b, KTG_ARGUMENT, "no model is named");
     assert_int_equal(bench_count(b), 0);
 }
 
