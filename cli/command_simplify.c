@@ -23,7 +23,8 @@ static ktg_status run(ktg_context *context, const settings *s) {
     if (status == KTG_OK)
         status = ktg_about_file(context, s->arguments[0], ktg_mesh_repair(context, mesh, &repair));
     if (status == KTG_OK && s->pipeline.faces != KTG_ALL_FACES)
-        status = ktg_mesh_simplify(context, mesh, s->pipeline.faces, &simplify);
+        status = ktg_about_file(context, s->arguments[0],
+                                ktg_mesh_simplify(context, mesh, s->pipeline.faces, &simplify));
     if (status == KTG_OK)
         status = ktg_output_open(context, s->outputs[0], &output);
     if (status == KTG_OK)

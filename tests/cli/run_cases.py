@@ -15,7 +15,7 @@ what there is before:
   copy SAMPLE NAME        one of the samples
   damage FILE STATEMENT   changes JSON: a Python statement about d
 how to run:
-  stdin FILE              what it reads
+  stdin FILE|never        what it reads; never: a pipe in which nothing comes
   stdout closed|full|none a pipe that nobody reads, a full disk, no standard output at all
   interrupt N             sends SIGINT N times, half a second after the program listens
   run WORDS...            runs the program; what stands below is about this run
@@ -114,6 +114,12 @@ class Case:
     def do_interrupt(self, count):
         self.interrupts = int(count)
 
+    def source(self):
+        if self.input == 'never':
+            reader, self.held = os.pipe()  # whose other end stays open, and silent
+            return os.fdopen(reader, 'rb')
+        return open(self.path(self.input) if self.input else os.devnull, 'rb')
+
     def streams(self):
         """What the program gets as standard output, and what is to be closed afterwards."""
         if self.output == 'closed':
@@ -152,7 +158,7 @@ class Case:
     def do_run(self, *words):
         self.known = {p: p.read_bytes() for p in self.here.rglob('*') if p.is_file()}
         output = self.streams()
-        with open(self.path(self.input) if self.input else os.devnull, 'rb') as source:
+        with self.source() as source:
             process = subprocess.Popen([self.program, *words], cwd=self.here, stdin=source,
                                        stdout=output, stderr=subprocess.PIPE,
                                        preexec_fn=self.prepare)
@@ -166,6 +172,8 @@ class Case:
                 raise Failed('did not end within %d s' % SECONDS)
         if output != subprocess.PIPE:
             os.close(output)
+        if self.input == 'never':
+            os.close(self.held)
         self.stdout = (self.stdout or b'').decode('utf-8', 'replace')
         raw = self.stderr
         self.stderr = raw.decode('utf-8', 'replace')
