@@ -8,7 +8,8 @@ Checked: every face once and the right way round; lengths in the plane against t
 whose two faces share their points, cuts and borders where the surface has them; pieces that hang
 together; no two faces, no tab and face, no two tabs that overlap, on the piece and on the sheet;
 every piece on one sheet and inside its printable area; and with the model, that the surface is the
-model's triangles, or a triangulation of its polygons, times mm_per_unit. Exit status 0 or 1."""
+model's triangles, or a triangulation of its polygons, times mm_per_unit (for models that needed no
+repair: splitting a neighbour of a sliver makes other triangles). Exit status 0 or 1."""
 
 import collections
 import json
