@@ -228,6 +228,13 @@ static bool set_method_unfold(settings *s, const char *text) {
     return method >= 0;
 }
 
+static bool set_effort(settings *s, const char *text) {
+    static const char *const efforts[] = {"quick", "normal", "best", NULL};
+    int effort = word_index(text, efforts);
+    s->pipeline.unfold.effort = effort >= 0 ? (ktg_effort)effort : KTG_EFFORT_NORMAL;
+    return effort >= 0;
+}
+
 static bool set_method_flatten(settings *s, const char *text) {
     (void)s;
     return strcmp(text, "two-step") == 0;
@@ -316,6 +323,8 @@ static const option_line lines[] = {
     {"weights", 0, "cotangent|unit", CMD_FLATTEN, set_weight, "weights of the edges (cotangent)"},
     {"method", 0, "auto|genetic", CMD_UNFOLD, set_method_unfold,
      "transplants, or the paper's genetic merging (auto)"},
+    {"effort", 0, "quick|normal|best", CMD_UNFOLD, set_effort,
+     "work spent on a compact net, so that the model gets larger (normal)"},
     {"method", 0, "two-step", CMD_FLATTEN, set_method_flatten, "how to flatten (two-step)"},
     {"population", 0, "N", CMD_UNFOLD, set_population, "chromosomes in a generation (32)"},
     {"generations", 0, "N", CMD_UNFOLD, set_generations, "at most this many (2000)"},

@@ -38,7 +38,8 @@ static ktg_status put_paper(ktg_context *context, ktg_output *output,
     const figure figures[] = {{"strips", r->unfold.strips},
                               {"generations", r->unfold.generations},
                               {"evaluations", (double)r->unfold.evaluations},
-                              {"restarts", r->unfold.restarts}};
+                              {"restarts", r->unfold.restarts},
+                              {"seconds_to_one_piece", r->unfold.seconds_to_one_piece}};
     return put_figures(context, output, figures, sizeof figures / sizeof *figures);
 }
 

@@ -11,9 +11,10 @@ KTG_NODISCARD ktg_status ktg_join_genetic(ktg_context *context, const ktg_dual *
                                           const ktg_unfold_options *options, ktg_search *search,
                                           bool *joined, uint32_t *pieces);
 
-/* Conflict-driven subtree transplant, with fresh starts; where no tree without overlaps is found,
- * the best one falls apart into few pieces. Likewise. */
+/* Conflict-driven subtree transplant, with fresh starts, then annealing towards the sheet's shape;
+ * where no tree without overlaps is found, the best one falls apart into few pieces. Likewise. */
 KTG_NODISCARD ktg_status ktg_join_transplant(ktg_context *context, const ktg_dual *dual,
-                                             ktg_search *search, bool *joined, uint32_t *pieces);
+                                             const ktg_unfold_options *options, ktg_search *search,
+                                             bool *joined, uint32_t *pieces);
 
 #endif

@@ -1,5 +1,7 @@
 /* unfold/join_transplant.c - one piece by transplants, with fresh starts, or few pieces. */
+#include "core/clock.h"
 #include "core/memory.h"
+#include "unfold/compact.h"
 #include "unfold/join.h"
 #include "unfold/split.h"
 #include "unfold/transplant.h"
@@ -35,25 +37,59 @@ static void keep_better(ktg_net **best, ktg_net **net) {
     ktg_net_free(net);
 }
 
-ktg_status ktg_join_transplant(ktg_context *context, const ktg_dual *dual, ktg_search *search,
-                               bool *joined, uint32_t *pieces) {
-    ktg_net *best = NULL;
+/* The best net of several runs; one run where it has no conflicts. */
+static ktg_status search_net(ktg_context *context, const ktg_dual *dual, ktg_search *search,
+                             bool *folded, ktg_net **best) {
     ktg_status status = KTG_OK;
     for (uint32_t run = 0; status == KTG_OK && run <= MOST_RESTARTS; run++) {
         ktg_net *net = NULL;
-        if (run > 0 && (best->live_count == 0 || !ktg_search_goes_on(context, search)))
+        if (run > 0 && ((*best)->live_count == 0 || !ktg_search_goes_on(context, search)))
             break;
         search->report.restarts += run > 0;
-        status = run_once(context, dual, run > 0 ? RESTART_JITTER : 0, search, joined, &net);
+        status = run_once(context, dual, run > 0 ? RESTART_JITTER : 0, search, folded, &net);
         if (status == KTG_OK)
-            keep_better(&best, &net);
+            keep_better(best, &net);
         ktg_net_free(&net);
     }
+    return status;
+}
+
+/* The component's share of the work that the effort stands for. */
+static uint64_t work_for(const ktg_dual *dual, const ktg_unfold_options *options,
+                         const ktg_search *search) {
+    static const double work[] = {1e6, 1e7, 1e8};
+    return (uint64_t)(work[options->effort] * dual->face_count / search->faces_all);
+}
+
+/* Makes the net compact and puts its folds into `joined`, which holds those of the net as it is:
+ * they stay when laying flat anew shows that rounding has hidden an overlap. */
+static ktg_status make_compact(ktg_context *context, ktg_net *net,
+                               const ktg_unfold_options *options, ktg_search *search,
+                               bool *joined) {
+    const ktg_dual *dual = net->dual;
+    if (dual->edge_count == 0)
+        return KTG_OK;
+    KTG_TRY(ktg_compact_run(context, net, options->sheet_aspect, work_for(dual, options, search),
+                            search));
+    KTG_TRY(ktg_net_refresh(context, net));
+    if (net->live_count == 0)
+        memcpy(joined, net->folded, dual->edge_count * sizeof *joined);
+    return KTG_OK;
+}
+
+ktg_status ktg_join_transplant(ktg_context *context, const ktg_dual *dual,
+                               const ktg_unfold_options *options, ktg_search *search, bool *joined,
+                               uint32_t *pieces) {
+    ktg_net *net = NULL;
+    double start = ktg_clock_seconds();
+    ktg_status status = search_net(context, dual, search, joined, &net);
     *pieces = 1;
     if (status == KTG_OK) {
-        memcpy(joined, best->folded, dual->edge_count * sizeof *joined);
-        status = ktg_split_conflicts(context, best, joined, pieces);
+        search->seconds += ktg_clock_seconds() - start;
+        memcpy(joined, net->folded, dual->edge_count * sizeof *joined);
+        status = net->live_count == 0 ? make_compact(context, net, options, search, joined)
+                                      : ktg_split_conflicts(context, net, joined, pieces);
     }
-    ktg_net_free(&best);
+    ktg_net_free(&net);
     return status;
 }

@@ -166,6 +166,13 @@ static void put_in_grid(ktg_net *net, uint32_t face) {
     ktg_net_grid_put(&net->grid, face, ktg_mul2(ktg_add2(box.low, box.high), 0.5));
 }
 
+void ktg_net_shift(ktg_net *net, ktg_vec2 by) {
+    for (size_t c = 0; c < 3 * (size_t)net->dual->face_count; c++)
+        net->corners[c] = ktg_add2(net->corners[c], by);
+    for (uint32_t f = 0; f < net->dual->face_count; f++)
+        put_in_grid(net, f);
+}
+
 /* ---- laying flat ---------------------------------------------------------------------------- */
 
 /* The turn the face of half-edge `own` has when it lies against half-edge `other`: from the edge's

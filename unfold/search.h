@@ -11,6 +11,7 @@ typedef struct ktg_search {
     double deadline;                /* monotonic seconds; 0: none */
     uint32_t faces_done, faces_all; /* for progress: of finished components, of all */
     uint32_t generations_before;    /* spent on those components */
+    double seconds;                 /* spent by transplants until there was one piece */
     double told;                    /* the progress told last */
     ktg_unfold_report report;
 } ktg_search;

@@ -13,6 +13,8 @@
 
 void ktg_unfold_defaults(ktg_unfold_options *options) {
     *options = (ktg_unfold_options){.method = KTG_METHOD_AUTO,
+                                    .effort = KTG_EFFORT_NORMAL,
+                                    .sheet_aspect = 190.0 / 277.0,
                                     .population = 32,
                                     .generations = 2000,
                                     .patience = 30,
@@ -31,6 +33,8 @@ static ktg_status check_options(ktg_context *context, const ktg_unfold_options *
     if (!(o->mutation_rate >= 0 && o->mutation_rate <= 1))
         return ktg_fail(context, KTG_ARGUMENT, "a mutation rate of %g: from 0 to 1 is possible",
                         o->mutation_rate);
+    if (!(o->sheet_aspect > 1e-3 && o->sheet_aspect < 1e3))
+        return ktg_fail(context, KTG_ARGUMENT, "a sheet %g times as wide as high", o->sheet_aspect);
     if (!(o->seconds >= 0))
         return ktg_fail(context, KTG_ARGUMENT, "a time limit of %g seconds; 0 is none", o->seconds);
     return KTG_OK;
@@ -73,7 +77,7 @@ static ktg_status join(ktg_context *context, const ktg_dual *dual,
     uint32_t pieces = 0, other = 0;
     if (options->method == KTG_METHOD_GENETIC)
         return ktg_join_genetic(context, dual, options, search, joined, &pieces);
-    KTG_TRY(ktg_join_transplant(context, dual, search, joined, &pieces));
+    KTG_TRY(ktg_join_transplant(context, dual, options, search, joined, &pieces));
     if (pieces == 1 || dual->face_count > SECOND_CHANCE || !ktg_search_goes_on(context, search))
         return KTG_OK;
     bool *trial = ktg_new(context, dual->edge_count, bool);
@@ -214,6 +218,8 @@ ktg_status ktg_unfold(ktg_context *context, const ktg_mesh *mesh, const char *na
     if (status == KTG_OK) {
         w.search.report.pieces = (uint32_t)(*pattern)->piece_count;
         w.search.report.components = w.component_count;
+        if (w.options->method == KTG_METHOD_AUTO && (*pattern)->piece_count == w.component_count)
+            w.search.report.seconds_to_one_piece = w.search.seconds;
         if (report)
             *report = w.search.report;
     } else {

@@ -20,17 +20,25 @@ typedef enum ktg_unfold_method {
     KTG_METHOD_GENETIC /* the method of the paper, with fresh starts */
 } ktg_unfold_method;
 
+/* How much work is spent on making a piece compact, so that it fits a sheet at a larger scale (auto
+ * only): counted, so that results do not depend on the machine; about 0.2, 1.5 and 15 seconds in
+ * all. */
+typedef enum ktg_effort { KTG_EFFORT_QUICK, KTG_EFFORT_NORMAL, KTG_EFFORT_BEST } ktg_effort;
+
 /* Section 5 of the paper, where nothing else is said. ktg_unfold_defaults gives its values. */
 typedef struct ktg_unfold_options {
     ktg_unfold_method method; /* auto */
-    uint32_t population;      /* chromosomes in a generation, at least 4; 32 */
-    uint32_t generations;     /* at most this many; 2000 */
-    uint32_t patience;        /* stop after so many generations without gain; 30 */
-    double crossover_rate;    /* 0..1; 0.8 */
-    double mutation_rate;     /* 0..1; 0.1 */
-    uint32_t restarts; /* fresh starts from other strips while a component is in several pieces;
-                          20 (0: the paper) */
-    double seconds;    /* an upper bound on the search's time; 0: none */
+    ktg_effort effort;        /* normal */
+    double
+        sheet_aspect; /* width over height of the sheet's printable area; A4's with 10 mm margins */
+    uint32_t population;   /* chromosomes in a generation, at least 4; 32 */
+    uint32_t generations;  /* at most this many; 2000 */
+    uint32_t patience;     /* stop after so many generations without gain; 30 */
+    double crossover_rate; /* 0..1; 0.8 */
+    double mutation_rate;  /* 0..1; 0.1 */
+    uint32_t restarts;     /* fresh starts from other strips while a component is in several pieces;
+                              20 (0: the paper) */
+    double seconds;        /* an upper bound on the search's time; 0: none */
 } ktg_unfold_options;
 
 KTG_API void ktg_unfold_defaults(ktg_unfold_options *options);
@@ -44,10 +52,12 @@ typedef enum ktg_stopped_by {
 
 typedef struct ktg_unfold_report {
     uint32_t pieces, components;
-    uint32_t strips;      /* initial patches of all components, in the first run */
-    uint32_t restarts;    /* of all components together */
-    uint32_t generations; /* of all components together */
-    uint64_t evaluations; /* chromosomes decoded */
+    uint32_t strips;             /* initial patches of all components, in the first run */
+    uint32_t restarts;           /* of all components together */
+    uint32_t generations;        /* of all components together */
+    uint64_t evaluations;        /* chromosomes decoded, or steps of the transplant search */
+    double seconds_to_one_piece; /* of all components together; 0 where one has more pieces (auto
+                                    only) */
     ktg_stopped_by stopped_by;
 } ktg_unfold_report;
 
