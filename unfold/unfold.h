@@ -21,7 +21,7 @@ typedef enum ktg_unfold_method {
 } ktg_unfold_method;
 
 /* How much work is spent on making a piece compact, so that it fits a sheet at a larger scale (auto
- * only): counted, so that results do not depend on the machine; about 0.2, 1.5 and 15 seconds in
+ * only): counted, so that results do not depend on the machine; about 0.1, 0.6 and 12 seconds in
  * all. */
 typedef enum ktg_effort { KTG_EFFORT_QUICK, KTG_EFFORT_NORMAL, KTG_EFFORT_BEST } ktg_effort;
 

@@ -11,6 +11,13 @@
 
 #include <cmocka.h>
 
+/* Edges under 4 mm may have tabs, but are not counted. */
+static bool is_counted(const ktg_pattern *p, uint32_t edge) {
+    ktg_vec3 a = p->vertices[p->edges[edge].vertices[0]];
+    ktg_vec3 b = p->vertices[p->edges[edge].vertices[1]];
+    return hypot(hypot(a.x - b.x, a.y - b.y), a.z - b.z) >= 4;
+}
+
 static void the_report_says_what_the_pattern_holds(void **state) {
     bench *b = *state;
     static const struct {
@@ -47,7 +54,8 @@ static void the_report_says_what_the_pattern_holds(void **state) {
         assert_true(0 < r.seconds_unfold && r.seconds_unfold <= r.seconds);
         size_t tabs = 0;
         for (size_t k = 0; k < p->piece_count; k++)
-            tabs += p->pieces[k].tab_count;
+            for (size_t t = 0; t < p->pieces[k].tab_count; t++)
+                tabs += is_counted(p, p->pieces[k].tabs[t].edge);
         assert_int_equal(tabs, r.finish.tabs_full + r.finish.tabs_reduced);
         bench_sound(b, p);
         ktg_pattern_free(&p);

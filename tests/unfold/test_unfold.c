@@ -13,6 +13,7 @@ static ktg_unfold_options options_of(ktg_unfold_method method) {
     ktg_unfold_options options;
     ktg_unfold_defaults(&options);
     options.method = method;
+    options.effort = KTG_EFFORT_QUICK;
     return options;
 }
 
@@ -33,11 +34,9 @@ static ktg_pattern *unfold_by(ktg_context *context, ktg_unfold_method method, co
     return pattern;
 }
 
-/* By the default method. */
+/* By transplants. */
 static ktg_pattern *unfold(ktg_context *context, const ktg_mesh *mesh, ktg_unfold_report *report) {
-    ktg_pattern *pattern;
-    assert_int_equal(ktg_unfold(context, mesh, "model", NULL, &pattern, report), KTG_OK);
-    return pattern;
+    return unfold_by(context, KTG_METHOD_AUTO, mesh, report);
 }
 
 static ktg_pattern *unfold_quickly(ktg_context *context, const ktg_mesh *mesh,
@@ -498,26 +497,33 @@ static void what_has_no_size_is_refused(void **state) {
     refuse_mesh(*state, huge, 3, face, 1, KTG_GEOMETRY);
 }
 
-static void memory_running_out_anywhere_is_a_status(void **state) {
-    ktg_mesh *mesh = shape_several(*state);
-    ktg_unfold_options options = quick();
-    options.population = 4;
-    options.patience = 1;
-    options.restarts = 1;
+static void fail_allocations(ktg_context *context, const ktg_unfold_options *options) {
+    ktg_mesh *mesh = shape_several(context);
     ktg_status status = KTG_MEMORY;
     ktg_pattern *pattern;
     uint64_t k = 1;
     for (; status == KTG_MEMORY; k += k < 150 ? 1 : 7) {
-        ktg_context_fail_allocation(*state, k);
-        status = ktg_unfold(*state, mesh, "model", &options, &pattern, NULL);
+        ktg_context_fail_allocation(context, k);
+        status = ktg_unfold(context, mesh, "model", options, &pattern, NULL);
         assert_true(status == KTG_OK ? pattern != NULL : pattern == NULL);
     }
-    ktg_context_fail_allocation(*state, 0);
+    ktg_context_fail_allocation(context, 0);
     assert_int_equal(status, KTG_OK);
-    assert_true(k > 200);
-    assert_sound_net(*state, mesh, pattern);
+    assert_true(k > 100);
+    assert_sound_net(context, mesh, pattern);
     ktg_pattern_free(&pattern);
     ktg_mesh_free(&mesh);
+}
+
+static void memory_running_out_anywhere_is_a_status(void **state) {
+    ktg_unfold_options options = quick();
+    options.population = 4;
+    options.patience = 1;
+    options.restarts = 1;
+    fail_allocations(*state, &options);
+    options.method = KTG_METHOD_AUTO;
+    options.seconds = 0.02; /* annealing takes no memory */
+    fail_allocations(*state, &options);
 }
 
 int main(void) {
