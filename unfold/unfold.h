@@ -1,9 +1,10 @@
 /* unfold/unfold.h - from a surface to flat pieces that fold into it, without any strain.
  *
- * The method of Takahashi et al., "Curvature-aware optimized unfolding of 3D meshes" (2010; longer:
- * "Optimized topological surgery for unfolding 3D meshes", CGF 30(7), 2011): dual graph and minimum
- * spanning tree, strips, cut-count table, genetic merging. docs/unfold.md says which file holds
- * which section and what was chosen where the paper is silent. */
+ * Two methods: subtree transplants (the default: a spanning tree laid flat, whose overlapping parts
+ * are moved until nothing overlaps), and that of Takahashi et al., "Curvature-aware optimized
+ * unfolding of 3D meshes" (2010; longer: "Optimized topological surgery for unfolding 3D meshes",
+ * CGF 30(7), 2011): spanning tree, strips, cut-count table, genetic merging. docs/unfold.md says
+ * which file holds what and what was chosen where the paper is silent. */
 #ifndef KTG_UNFOLD_UNFOLD_H
 #define KTG_UNFOLD_UNFOLD_H
 
