@@ -68,6 +68,11 @@ void cli_print_lines(FILE *stream, const char *text);
 
 /* ---- commands (cli/command_*.c) ----------------------------------------------------------- */
 
+/* What every command does around its work: reads the options, shows the help (`usage`, then the
+ * options), makes a context, calls `run`, tells a failure. */
+exit_code cli_run(int argc, char **argv, int command, int most_arguments, const char *usage,
+                  ktg_status (*run)(ktg_context *context, settings *s));
+
 exit_code command_unfold(int argc, char **argv);
 exit_code command_flatten(int argc, char **argv);
 exit_code command_simplify(int argc, char **argv);

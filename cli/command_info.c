@@ -100,7 +100,7 @@ static ktg_status print_components(ktg_context *context, const ktg_mesh *mesh) {
     return status;
 }
 
-static ktg_status run(ktg_context *context, const settings *s) {
+static ktg_status run(ktg_context *context, settings *s) {
     ktg_mesh *mesh = NULL;
     ktg_mesh_report report;
     ktg_repair_report repair;
@@ -124,19 +124,5 @@ static ktg_status run(ktg_context *context, const settings *s) {
 }
 
 exit_code command_info(int argc, char **argv) {
-    settings s;
-    if (!cli_read_options(argc, argv, CMD_INFO, 1, 1, &s))
-        return EXIT_USAGE;
-    if (s.help) {
-        fputs(usage, stdout);
-        cli_print_options(stdout, CMD_INFO);
-        return EXIT_DONE;
-    }
-    ktg_context *context = cli_context(&s);
-    if (!context)
-        return EXIT_FAILED;
-    ktg_status status = run(context, &s);
-    exit_code code = status == KTG_OK ? EXIT_DONE : cli_fail(context, status);
-    ktg_context_free(&context);
-    return code;
+    return cli_run(argc, argv, CMD_INFO, 1, usage, run);
 }

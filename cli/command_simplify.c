@@ -14,12 +14,24 @@ static bool is_the_model(const settings *s) {
            model.st_dev == output.st_dev && model.st_ino == output.st_ino;
 }
 
-static ktg_status run(ktg_context *context, const settings *s) {
+static ktg_status check_output(ktg_context *context, const settings *s) {
+    if (s->output_count != 1 || ktg_mesh_format_of(s->outputs[0]) == KTG_MESH_BY_ENDING)
+        return ktg_fail(context, KTG_ARGUMENT,
+                        "simplify wants one -o FILE that ends in .obj, .stl, .ply or .off");
+    if (is_the_model(s))
+        return ktg_fail(context, KTG_ARGUMENT, "%s: is the model itself; name another output",
+                        s->outputs[0]);
+    return KTG_OK;
+}
+
+static ktg_status run(ktg_context *context, settings *s) {
     ktg_mesh *mesh = NULL;
     ktg_output *output = NULL;
     ktg_repair_report repair;
     ktg_simplify_report simplify = {0};
-    ktg_status status = ktg_mesh_read(context, s->arguments[0], KTG_MESH_BY_ENDING, &mesh);
+    ktg_status status = check_output(context, s);
+    if (status == KTG_OK)
+        status = ktg_mesh_read(context, s->arguments[0], KTG_MESH_BY_ENDING, &mesh);
     if (status == KTG_OK)
         status = ktg_about_file(context, s->arguments[0], ktg_mesh_repair(context, mesh, &repair));
     if (status == KTG_OK && s->pipeline.faces != KTG_ALL_FACES)
@@ -46,30 +58,5 @@ static ktg_status run(ktg_context *context, const settings *s) {
 }
 
 exit_code command_simplify(int argc, char **argv) {
-    settings s;
-    if (!cli_read_options(argc, argv, CMD_SIMPLIFY, 1, 1, &s))
-        return EXIT_USAGE;
-    if (s.help) {
-        fputs(usage, stdout);
-        cli_print_options(stdout, CMD_SIMPLIFY);
-        return EXIT_DONE;
-    }
-    if (s.output_count != 1 || ktg_mesh_format_of(s.outputs[0]) == KTG_MESH_BY_ENDING) {
-        fputs("katagami simplify: wants one -o FILE that ends in .obj, .stl, .ply or .off\n",
-              stderr);
-        return EXIT_USAGE;
-    }
-    if (is_the_model(&s)) {
-        fputs("katagami simplify: ", stderr);
-        cli_print_safe(stderr, s.outputs[0]);
-        fputs(": is the model itself; name another output\n", stderr);
-        return EXIT_USAGE;
-    }
-    ktg_context *context = cli_context(&s);
-    if (!context)
-        return EXIT_FAILED;
-    ktg_status status = run(context, &s);
-    exit_code code = status == KTG_OK ? EXIT_DONE : cli_fail(context, status);
-    ktg_context_free(&context);
-    return code;
+    return cli_run(argc, argv, CMD_SIMPLIFY, 1, usage, run);
 }

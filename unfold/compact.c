@@ -41,21 +41,6 @@ static double cost_change(const compact *c, const ktg_body *body, const ktg_moti
     return change;
 }
 
-static uint32_t find_rims(compact *c, const ktg_body *body, uint32_t fold) {
-    const ktg_net *net = c->net;
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < body->count; i++) {
-        uint32_t face = body->faces[i];
-        for (uint32_t h = 3 * face; h < 3 * face + 3; h++) {
-            uint32_t e = net->dual->halfedge_edge[h];
-            if (e != KTG_NONE && e != fold && !net->folded[e] &&
-                net->mark[ktg_net_across(net, e, face) / 3] != body->stamp)
-                c->rims[count++] = e;
-        }
-    }
-    return count;
-}
-
 /* A fold drawn at random; KTG_NONE when the draw was none. */
 static uint32_t draw_fold(const compact *c) {
     const ktg_dual *dual = c->net->dual;
@@ -80,7 +65,7 @@ static ktg_status try_move(ktg_context *context, compact *c) {
     if (fold == KTG_NONE || !ktg_net_smaller_side(c->net, fold, c->net->dual->face_count, &body))
         return KTG_OK;
     c->work += body.count;
-    uint32_t rims = find_rims(c, &body, fold);
+    uint32_t rims = ktg_net_rims(c->net, &body, fold, c->rims);
     if (rims == 0)
         return KTG_OK;
     uint32_t edge = c->rims[ktg_random_below(random, rims)];

@@ -358,6 +358,20 @@ bool ktg_net_smaller_side(ktg_net *net, uint32_t fold, uint32_t most, ktg_body *
 
 /* ---- transplants ---------------------------------------------------------------------------- */
 
+uint32_t ktg_net_rims(const ktg_net *net, const ktg_body *body, uint32_t fold, uint32_t *edges) {
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < body->count; i++) {
+        uint32_t face = body->faces[i];
+        for (uint32_t h = 3 * face; h < 3 * face + 3; h++) {
+            uint32_t e = net->dual->halfedge_edge[h];
+            if (e != KTG_NONE && e != fold && !net->folded[e] &&
+                net->mark[ktg_net_across(net, e, face) / 3] != body->stamp)
+                edges[count++] = e;
+        }
+    }
+    return count;
+}
+
 uint32_t ktg_net_conflicts_now(const ktg_net *net, const ktg_body *body) {
     uint32_t count = 0;
     for (uint32_t i = 0; i < body->count; i++) {

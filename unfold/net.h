@@ -66,6 +66,10 @@ typedef struct ktg_body {
  * False when that has more than `most` faces. The body is valid until the next call. */
 bool ktg_net_smaller_side(ktg_net *net, uint32_t fold, uint32_t most, ktg_body *body);
 
+/* The cut edges between the body, one side of `fold`, and the rest: where it could hang instead.
+ * edges: room for three times the body's faces; returns how many. */
+uint32_t ktg_net_rims(const ktg_net *net, const ktg_body *body, uint32_t fold, uint32_t *edges);
+
 /* How many conflicts the body has with the rest now. */
 uint32_t ktg_net_conflicts_now(const ktg_net *net, const ktg_body *body);
 

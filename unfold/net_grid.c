@@ -7,6 +7,21 @@
 
 /* Sizes further than this below the largest share the lowest level. */
 #define MOST_LEVELS 20
+/* Cells of the lowest level that a face's neighbours lie in, on the average of all faces; a needle
+ * beside faces a million times its size would have each of them walk 10^12. */
+#define MOST_CELLS 1024.0
+/* Farther cells are one, so that numbers of cells fit their type. */
+#define FARTHEST 1e9
+
+/* The average of (size / cell)^2. */
+static double cells_of_level(const double *sizes, uint32_t face_count, int level) {
+    double sum = 0;
+    for (uint32_t f = 0; f < face_count; f++) {
+        double cells = ldexp(sizes[f], -level);
+        sum += cells * cells;
+    }
+    return sum / face_count;
+}
 
 static void choose_levels(const double *sizes, uint32_t face_count, ktg_net_grid *grid) {
     double least = INFINITY, most = 0;
@@ -18,6 +33,8 @@ static void choose_levels(const double *sizes, uint32_t face_count, ktg_net_grid
     grid->lowest = isfinite(least) ? ilogb(least) + 1 : highest;
     if (highest - grid->lowest >= MOST_LEVELS)
         grid->lowest = highest - MOST_LEVELS + 1;
+    while (grid->lowest < highest && cells_of_level(sizes, face_count, grid->lowest) > MOST_CELLS)
+        grid->lowest++;
     grid->level_count = highest - grid->lowest + 1;
     for (uint32_t f = 0; f < face_count; f++) {
         int level = sizes[f] > 0 ? ilogb(sizes[f]) + 1 - grid->lowest : 0;
@@ -67,7 +84,7 @@ static size_t bucket_of(const ktg_net_grid *grid, int level, int32_t x, int32_t 
 }
 
 static int32_t cell_at(const ktg_net_grid *grid, int level, double x) {
-    return (int32_t)floor(ldexp(x, -(grid->lowest + level)));
+    return (int32_t)fmax(-FARTHEST, fmin(FARTHEST, floor(ldexp(x, -(grid->lowest + level)))));
 }
 
 static void take_out(ktg_net_grid *grid, uint32_t face) {

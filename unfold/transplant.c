@@ -34,34 +34,19 @@ static bool is_tabu(const transplant *t, uint32_t edge) {
     return t->tabu_until[edge] > t->step;
 }
 
-/* The cut edges between the body and the rest, which the fold's side could be joined along instead.
- */
-static uint32_t find_rims(const transplant *t, const ktg_body *body, uint32_t fold) {
-    const ktg_net *net = t->net;
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < body->count; i++) {
-        uint32_t face = body->faces[i];
-        for (uint32_t h = 3 * face; h < 3 * face + 3; h++) {
-            uint32_t e = net->dual->halfedge_edge[h];
-            if (e == KTG_NONE || e == fold || net->folded[e] || is_tabu(t, e))
-                continue;
-            if (net->mark[ktg_net_across(net, e, face) / 3] != body->stamp)
-                t->rims[count++] = e;
-        }
-    }
-    return count;
-}
-
 static void try_fold(transplant *t, uint32_t fold, proposal *best) {
     ktg_body body;
     if (!ktg_net_smaller_side(t->net, fold, t->most, &body))
         return;
-    uint32_t rims = find_rims(t, &body, fold);
+    uint32_t rims = ktg_net_rims(t->net, &body, fold, t->rims);
     uint32_t now = ktg_net_conflicts_now(t->net, &body);
-    for (int i = 0; i < EDGES_TRIED && rims > 0; i++) {
+    for (int tried = 0; tried < EDGES_TRIED && rims > 0;) {
         size_t k = ktg_random_below(&t->search->random, rims);
         uint32_t edge = t->rims[k];
         t->rims[k] = t->rims[--rims];
+        if (is_tabu(t, edge))
+            continue;
+        tried++;
         int64_t limit = best->cost + (int64_t)now - 1;
         if (limit < 0)
             return;
