@@ -83,77 +83,14 @@ static void remove_conflict(ktg_net *net, uint32_t id) {
 
 /* ---- faces that overlap a place ------------------------------------------------------------ */
 
-typedef struct box2 {
-    ktg_vec2 low, high;
-} box2;
-
-static box2 box_of(const ktg_vec2 c[3]) {
-    return (box2){{fmin(c[0].x, fmin(c[1].x, c[2].x)), fmin(c[0].y, fmin(c[1].y, c[2].y))},
-                  {fmax(c[0].x, fmax(c[1].x, c[2].x)), fmax(c[0].y, fmax(c[1].y, c[2].y))}};
-}
-
-/* Walks the faces near a box. */
-typedef struct near_walk {
-    const ktg_net_grid *grid;
-    box2 box;
-    ktg_net_range range;
-    int level;
-    int32_t x, y;
-    uint32_t face;
-} near_walk;
-
-/* Moves on to the next level that holds faces; false when there is none. */
-static bool next_level(near_walk *w) {
-    while (++w->level < w->grid->level_count) {
-        if (w->grid->level_faces[w->level] == 0)
-            continue;
-        w->range = ktg_net_grid_range(w->grid, w->level, w->box.low, w->box.high);
-        w->x = w->range.x0;
-        w->y = w->range.y0;
-        w->face = ktg_net_grid_head(w->grid, w->level, w->x, w->y);
-        return true;
-    }
-    return false;
-}
-
-static bool next_cell(near_walk *w) {
-    if (++w->x > w->range.x1) {
-        w->x = w->range.x0;
-        if (++w->y > w->range.y1)
-            return next_level(w);
-    }
-    w->face = ktg_net_grid_head(w->grid, w->level, w->x, w->y);
-    return true;
-}
-
-static bool start_walk(near_walk *w, const ktg_net_grid *grid, const ktg_vec2 corners[3]) {
-    *w = (near_walk){.grid = grid, .box = box_of(corners), .level = -1};
-    return next_level(w);
-}
-
-/* The next face near the box, KTG_NONE at the end. */
-static uint32_t next_near(near_walk *w) {
-    for (;;) {
-        while (w->face != KTG_NONE) {
-            uint32_t face = w->face;
-            w->face = w->grid->next[face];
-            if (w->grid->cell[2 * face] == w->x && w->grid->cell[2 * face + 1] == w->y &&
-                w->grid->level[face] == w->level)
-                return face;
-        }
-        if (!next_cell(w))
-            return KTG_NONE;
-    }
-}
-
-static bool boxes_apart(const ktg_vec2 c[3], const box2 *box) {
+static bool boxes_apart(const ktg_vec2 c[3], const ktg_net_box *box) {
     return (c[0].x > box->high.x && c[1].x > box->high.x && c[2].x > box->high.x) ||
            (c[0].x < box->low.x && c[1].x < box->low.x && c[2].x < box->low.x) ||
            (c[0].y > box->high.y && c[1].y > box->high.y && c[2].y > box->high.y) ||
            (c[0].y < box->low.y && c[1].y < box->low.y && c[2].y < box->low.y);
 }
 
-static bool overlap(const ktg_net *net, const near_walk *walk, uint32_t face,
+static bool overlap(const ktg_net *net, const ktg_net_walk *walk, uint32_t face,
                     const ktg_vec2 corners[3], uint32_t other) {
     const ktg_vec2 *c = net->corners + 3 * (size_t)other;
     return !boxes_apart(c, &walk->box) &&
@@ -162,7 +99,7 @@ static bool overlap(const ktg_net *net, const near_walk *walk, uint32_t face,
 }
 
 static void put_in_grid(ktg_net *net, uint32_t face) {
-    box2 box = box_of(net->corners + 3 * (size_t)face);
+    ktg_net_box box = ktg_net_box_of(net->corners + 3 * (size_t)face);
     ktg_net_grid_put(&net->grid, face, ktg_mul2(ktg_add2(box.low, box.high), 0.5));
 }
 
@@ -237,11 +174,11 @@ ktg_status ktg_net_refresh(ktg_context *context, ktg_net *net) {
     for (uint32_t f = 0; f < n; f++)
         put_in_grid(net, f);
     for (uint32_t f = 0; f < n; f++) {
-        near_walk walk;
+        ktg_net_walk walk;
         const ktg_vec2 *corners = net->corners + 3 * (size_t)f;
-        if (!start_walk(&walk, &net->grid, corners))
+        if (!ktg_net_walk_start(&walk, &net->grid, corners))
             continue;
-        for (uint32_t g; (g = next_near(&walk)) != KTG_NONE;)
+        for (uint32_t g; (g = ktg_net_walk_next(&walk)) != KTG_NONE;)
             if (g > f && overlap(net, &walk, f, corners, g))
                 KTG_TRY(add_conflict(context, net, f, g));
     }
@@ -409,11 +346,11 @@ uint32_t ktg_net_conflicts_moved(const ktg_net *net, const ktg_body *body,
     uint32_t count = 0;
     for (uint32_t i = 0; i < body->count && count <= most; i++) {
         ktg_vec2 moved[3];
-        near_walk walk;
+        ktg_net_walk walk;
         move_face(net, body->faces[i], motion, moved);
-        if (!start_walk(&walk, &net->grid, moved))
+        if (!ktg_net_walk_start(&walk, &net->grid, moved))
             continue;
-        for (uint32_t g; (g = next_near(&walk)) != KTG_NONE;)
+        for (uint32_t g; (g = ktg_net_walk_next(&walk)) != KTG_NONE;)
             count += net->mark[g] != body->stamp && overlap(net, &walk, body->faces[i], moved, g);
     }
     return count;
@@ -437,10 +374,10 @@ static ktg_status find_conflicts(ktg_context *context, ktg_net *net, const ktg_b
     for (uint32_t i = 0; i < body->count; i++) {
         uint32_t face = body->faces[i];
         const ktg_vec2 *corners = net->corners + 3 * (size_t)face;
-        near_walk walk;
-        if (!start_walk(&walk, &net->grid, corners))
+        ktg_net_walk walk;
+        if (!ktg_net_walk_start(&walk, &net->grid, corners))
             continue;
-        for (uint32_t g; (g = next_near(&walk)) != KTG_NONE;)
+        for (uint32_t g; (g = ktg_net_walk_next(&walk)) != KTG_NONE;)
             if (net->mark[g] != body->stamp && overlap(net, &walk, face, corners, g))
                 KTG_TRY(add_conflict(context, net, face, g));
     }

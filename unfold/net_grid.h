@@ -19,7 +19,8 @@ typedef struct ktg_net_grid {
     uint8_t *level;     /* face_count: fixed by the face's size */
     int lowest;         /* exponent of level 0: its cells are 2^lowest large */
     int level_count;
-    uint32_t *level_faces; /* level_count: faces in the grid, so that empty levels are skipped */
+    uint32_t *level_first; /* level_count + 1: where a level begins in by_level */
+    uint32_t *by_level;    /* face_count: all faces, level by level */
 } ktg_net_grid;
 
 /* sizes: face_count, an upper bound of each face's diameter (> 0 or 0). */
@@ -27,18 +28,36 @@ KTG_NODISCARD ktg_status ktg_net_grid_new(ktg_context *context, const double *si
                                           uint32_t face_count, ktg_net_grid *grid);
 void ktg_net_grid_free(ktg_net_grid *grid);
 
-/* Puts a face where its box's centre is; it may be in the grid already. */
+/* Puts a face where its box's centre is; it may be in the grid already. All faces must be in it
+ * before a walk. */
 void ktg_net_grid_put(ktg_net_grid *grid, uint32_t face, ktg_vec2 centre);
+
+typedef struct ktg_net_box {
+    ktg_vec2 low, high;
+} ktg_net_box;
+
+ktg_net_box ktg_net_box_of(const ktg_vec2 corners[3]);
 
 /* The cells of one level that a box's neighbours may lie in. */
 typedef struct ktg_net_range {
     int32_t x0, y0, x1, y1;
 } ktg_net_range;
 
-ktg_net_range ktg_net_grid_range(const ktg_net_grid *grid, int level, ktg_vec2 low, ktg_vec2 high);
+/* Walks the faces near a triangle's box: all whose boxes meet it, and some others. */
+typedef struct ktg_net_walk {
+    const ktg_net_grid *grid;
+    ktg_net_box box;
+    ktg_net_range range;
+    int level;
+    int32_t x, y;
+    uint32_t listed, listed_end; /* in by_level: a level whose faces are fewer than the cells is
+                                    walked as a list */
+    uint32_t face; /* next of the present bucket, which may hold other cells' faces too */
+} ktg_net_walk;
 
-/* First face of the bucket of a cell; the bucket may hold other cells' faces too: compare level and
- * cell. */
-uint32_t ktg_net_grid_head(const ktg_net_grid *grid, int level, int32_t x, int32_t y);
+/* False when the grid is empty. */
+bool ktg_net_walk_start(ktg_net_walk *walk, const ktg_net_grid *grid, const ktg_vec2 corners[3]);
+/* The next face, KTG_NONE at the end. */
+uint32_t ktg_net_walk_next(ktg_net_walk *walk);
 
 #endif

@@ -4,6 +4,7 @@
 #include "tests/unfold/help.h"
 #include "tests/unfold/reference.h"
 #include "tests/unfold/shapes.h"
+#include "unfold/compact.h"
 #include "unfold/net.h"
 #include "unfold/overlap.h"
 #include "unfold/split.h"
@@ -173,12 +174,70 @@ static void a_split_leaves_no_two_overlapping_faces_together(void **state) {
     drop(&f);
 }
 
+/* The largest extent of the net. */
+static double spread(const ktg_net *net) {
+    double far = 0;
+    for (uint32_t a = 0; a < 3 * net->dual->face_count; a++)
+        for (uint32_t b = 0; b < a; b++)
+            far = fmax(far, ktg_length2(ktg_sub2(net->corners[a], net->corners[b])));
+    return far;
+}
+
+static void annealing_makes_a_net_compact_and_keeps_it_free_of_overlaps(void **state) {
+    fixture f = start(*state, shape_knot(*state, 40, 8));
+    ktg_search search = {.faces_all = f.dual->face_count};
+    ktg_random_seed(&search.random, 1);
+    assert_int_equal(ktg_transplant_run(*state, f.net, 5000, &search), KTG_OK);
+    double before = spread(f.net);
+    assert_int_equal(ktg_compact_run(*state, f.net, 0.7, 1000000, &search), KTG_OK);
+    assert_true(spread(f.net) < 0.9 * before);
+    assert_int_equal(f.net->live_count, 0);
+    assert_int_equal(slow_conflicts(f.net), 0);
+    assert_tree(f.net);
+    assert_laid(f.net);
+    drop(&f);
+}
+
+static void large_faces_over_tiny_ones_are_found(void **state) {
+    enum { COUNT = 40 };
+    double sizes[COUNT + 1];
+    ktg_vec2 corners[COUNT + 1][3];
+    for (int i = 0; i <= COUNT; i++) { /* sizes from 1e-9 to 1, the last one above them all */
+        double size = i == COUNT ? 2 : pow(10, -9 + 9.0 * i / COUNT), x = i * 0.02;
+        corners[i][0] = (ktg_vec2){x, 0};
+        corners[i][1] = (ktg_vec2){x + size, 0};
+        corners[i][2] = (ktg_vec2){x, size};
+        sizes[i] = 1.5 * size;
+    }
+    ktg_net_grid grid;
+    assert_int_equal(ktg_net_grid_new(*state, sizes, COUNT + 1, &grid), KTG_OK);
+    for (uint32_t i = 0; i <= COUNT; i++) {
+        ktg_net_box box = ktg_net_box_of(corners[i]);
+        ktg_net_grid_put(&grid, i, ktg_mul2(ktg_add2(box.low, box.high), 0.5));
+    }
+    for (uint32_t i = 0; i <= COUNT; i++) {
+        bool found[COUNT + 1] = {false};
+        ktg_net_walk walk;
+        assert_true(ktg_net_walk_start(&walk, &grid, corners[i]));
+        for (uint32_t g; (g = ktg_net_walk_next(&walk)) != KTG_NONE;) {
+            assert_false(found[g]); /* each once */
+            found[g] = true;
+        }
+        for (uint32_t g = 0; g <= COUNT; g++)
+            if (corners[g][0].x <= corners[i][1].x && corners[i][0].x <= corners[g][1].x)
+                assert_true(found[g]);
+    }
+    ktg_net_grid_free(&grid);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_fresh_net_knows_all_its_overlaps),
         cmocka_unit_test(paths_and_sides_are_those_of_the_tree),
         cmocka_unit_test(transplants_keep_the_books),
         cmocka_unit_test(the_search_ends_without_overlaps),
+        cmocka_unit_test(annealing_makes_a_net_compact_and_keeps_it_free_of_overlaps),
+        cmocka_unit_test(large_faces_over_tiny_ones_are_found),
         cmocka_unit_test(a_split_leaves_no_two_overlapping_faces_together),
     };
     return cmocka_run_group_tests(tests, make_context, drop_context);
