@@ -14,6 +14,9 @@
 #define FROM_EDGE_MM 0.4
 #define ASIDE_MM     0.2
 
+/* On an edge without a tab, between the number and the edge, the mark of the butt joint stands. */
+#define FROM_JOINT_MM 1.4
+
 /* A number is tried smaller by this factor until it fits. */
 #define SHRINK 0.92
 
@@ -22,6 +25,7 @@ typedef struct stand {
     ktg_vec2 origin, along;
     double left, right, left_cot, right_cot, height;
     uint32_t piece, face; /* face: KTG_NONE on a tab */
+    double from_edge;     /* how far the number keeps from its edge */
 } stand;
 
 static double left_at(const stand *s, double y) {
@@ -34,7 +38,7 @@ static double right_at(const stand *s, double y) {
 
 /* The free interval for a number of this height; false when it is too narrow or too low. */
 static bool free_interval(const stand *s, double mm, double width, double *low, double *high) {
-    double bottom = FROM_EDGE_MM, top = bottom + mm;
+    double bottom = s->from_edge, top = bottom + mm;
     *low = fmax(left_at(s, bottom), left_at(s, top)) + ASIDE_MM + width / 2;
     *high = fmin(right_at(s, bottom), right_at(s, top)) - ASIDE_MM - width / 2;
     return top + ASIDE_MM <= s->height && *low <= *high;
@@ -55,7 +59,7 @@ static bool find_box(const ktg_label_sheet *sheet, const stand *s, const char *t
         if (free_interval(s, mm, wide * mm, &low, &high)) {
             double places[3] = {(low + high) / 2, low, high};
             for (int k = 0; k < 3; k++) {
-                *box = box_at(s, places[k], FROM_EDGE_MM + mm / 2, mm, wide * mm);
+                *box = box_at(s, places[k], s->from_edge + mm / 2, mm, wide * mm);
                 if (s->face == KTG_NONE || !ktg_label_face_taken(sheet, s->face, box))
                     return true;
             }
@@ -82,7 +86,8 @@ static stand stand_on_tab(const ktg_topology *t, uint32_t h, const ktg_pattern_t
                    (x[0] - x[1]) / height,
                    height,
                    t->piece_of[h / 3],
-                   KTG_NONE};
+                   KTG_NONE,
+                   FROM_EDGE_MM};
 }
 
 static stand stand_in_face(const ktg_topology *t, uint32_t h) {
@@ -93,7 +98,8 @@ static stand stand_in_face(const ktg_topology *t, uint32_t h) {
     double length = ktg_length2(ktg_sub2(b, a));
     if (!(y > 0))
         y = 1e-9 * length;
-    return (stand){a, along, 0, length, x / y, (length - x) / y, y, t->piece_of[h / 3], h / 3};
+    return (stand){a,     along,       0, length, x / y, (length - x) / y, y, t->piece_of[h / 3],
+                   h / 3, FROM_EDGE_MM};
 }
 
 /* The least height, in the middle of the edge, ever further from it until it lies on no cut; right
@@ -124,7 +130,11 @@ static stand stand_of(const ktg_label_sheet *sheet, uint32_t edge, uint32_t side
     uint32_t h = ktg_side_halfedge(&e->sides[side]);
     if (e->tab_on == (int)side && tabs[edge])
         return stand_on_tab(sheet->topology, h, tabs[edge]);
-    return stand_in_face(sheet->topology, h);
+    stand s = stand_in_face(sheet->topology, h);
+    if (e->tab_on < 0 && sheet->options->tab_height_mm > 0 &&
+        s.right - s.left >= sheet->options->tab_edge_mm)
+        s.from_edge = FROM_JOINT_MM;
+    return s;
 }
 
 static ktg_status write_on_side(ktg_context *context, ktg_label_sheet *sheet, uint32_t edge,
@@ -134,9 +144,10 @@ static ktg_status write_on_side(ktg_context *context, ktg_label_sheet *sheet, ui
     double most = fmax(sheet->options->number_mm, KTG_LABEL_LEAST_MM);
     ktg_label_box box;
     if (!find_box(sheet, &s, text, most, &box)) {
-        if (s.face == KTG_NONE) /* no room on the tab: beside it */
+        if (s.face == KTG_NONE) /* no room on the tab: beside it; or above a joint's mark */
             s = stand_in_face(sheet->topology,
                               ktg_side_halfedge(&sheet->pattern->edges[edge].sides[side]));
+        s.from_edge = FROM_EDGE_MM;
         if (!find_box(sheet, &s, text, most, &box))
             box = nearest_box(sheet, &s, text);
     }

@@ -4,8 +4,8 @@
 /* A clipped obstacle: each of the four clips adds one corner at most. */
 #define CLIPPED_CORNERS (KTG_OBSTACLE_CORNERS + 4)
 
-/* Flanks flatter than this (8 degrees) are slivers no one can glue. */
-#define FLATTEST_COT 7.1
+/* Flanks flatter than this (5 degrees) are slivers no one can glue. */
+#define FLATTEST_COT 11.43
 
 /* A top narrower than this is a point, in parts of the height. */
 #define POINTED 0.01
@@ -155,6 +155,17 @@ static bool is_outside(const ktg_trapezoid *t, const ktg_vec2 *part, uint32_t co
 static bool is_clear(const ktg_trapezoid *t, const ktg_vec2 *part, uint32_t count,
                      double clearance) {
     return is_outside(t, part, count) && distance_outside(t, part, count) >= clearance * (1 - HAIR);
+}
+
+bool ktg_trapezoid_is_clear(const ktg_trapezoid *t, const ktg_vec2 *obstacle, uint32_t corner_count,
+                            double clearance) {
+    ktg_vec2 part[CLIPPED_CORNERS];
+    uint32_t count = part_in_the_way(t, obstacle, corner_count, clearance, part);
+    return count == 0 || is_clear(t, part, count, clearance);
+}
+
+bool ktg_trapezoid_is_gluable(const ktg_trapezoid *t) {
+    return t->left_cot <= FLATTEST_COT && t->right_cot <= FLATTEST_COT;
 }
 
 /* ---- cutting back ------------------------------------------------------------------------- */

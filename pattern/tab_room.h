@@ -50,4 +50,21 @@ bool ktg_trapezoid_meets(const ktg_trapezoid *t, const ktg_vec2 *obstacle, uint3
 void ktg_trapezoid_cut(ktg_trapezoid *t, const ktg_tab_wish *wish, const ktg_vec2 *obstacle,
                        uint32_t corner_count, double clearance);
 
+/* True when no part of the convex obstacle above the edge's line is nearer than `clearance`. */
+bool ktg_trapezoid_is_clear(const ktg_trapezoid *t, const ktg_vec2 *obstacle, uint32_t corner_count,
+                            double clearance);
+/* True when both flanks are steep enough to be cut and glued. */
+bool ktg_trapezoid_is_gluable(const ktg_trapezoid *t);
+
+/* A line that a tab must keep away from. */
+typedef struct ktg_tab_wall {
+    ktg_vec2 ends[2];
+    double clearance;
+} ktg_tab_wall;
+
+/* The best of many triangles that are tabs and keep clear of all walls (tab_low.c); false when
+ * there is none. The walls' order is changed. */
+bool ktg_trapezoid_search(ktg_trapezoid *room, const ktg_tab_wish *wish, double inset,
+                          ktg_tab_wall *walls, uint32_t count);
+
 #endif

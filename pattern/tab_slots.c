@@ -9,6 +9,7 @@ typedef struct walls {
     ktg_box *boxes;
     uint32_t count;
     ktg_grid grid;
+    ktg_tab_wall *near; /* scratch: what stands around one slot, in its frame */
 } walls;
 
 /* Places the pieces side by side, further apart than two tabs are high. */
@@ -50,7 +51,8 @@ static ktg_status build_walls(ktg_context *context, const ktg_tab_plan *plan, wa
     uint32_t halfedges = 3 * t->pattern->face_count;
     w->halfedges = ktg_new(context, halfedges, uint32_t);
     w->boxes = ktg_new(context, halfedges, ktg_box);
-    if (!w->halfedges || !w->boxes)
+    w->near = ktg_new(context, 2 * (size_t)halfedges, ktg_tab_wall);
+    if (!w->halfedges || !w->boxes || !w->near)
         return KTG_MEMORY;
     for (uint32_t h = 0; h < halfedges; h++) {
         if (!is_wall(t, h))
@@ -66,6 +68,7 @@ static void drop_walls(walls *w) {
     ktg_grid_drop(&w->grid);
     ktg_free(w->halfedges);
     ktg_free(w->boxes);
+    ktg_free(w->near);
 }
 
 static ktg_tab_frame frame_between(uint32_t piece, ktg_vec2 from, ktg_vec2 to) {
@@ -134,6 +137,55 @@ static void cut_by_piece(const ktg_tab_plan *plan, ktg_tab_slot *slot, double ai
     }
 }
 
+/* Appends to w->near what stands around the room in a layer (under: the region's border). */
+static uint32_t gather(const ktg_tab_plan *plan, const ktg_tab_slot *slot, ktg_tab_layer layer,
+                       double clearance, uint32_t count, walls *w) {
+    const ktg_topology *t = plan->topology;
+    const ktg_tab_frame *frame = &slot->frames[layer];
+    uint32_t own = layer == KTG_LAYER_UNDER ? slot->mate : slot->halfedge;
+    uint32_t region = t->region_of[slot->mate / 3];
+    uint32_t found = walls_near(plan, slot, layer, clearance, w);
+    for (uint32_t i = 0; i < found; i++) {
+        uint32_t wall = w->halfedges[w->grid.found[i]];
+        bool counts = layer == KTG_LAYER_UNDER ? t->region_of[wall / 3] == region
+                                               : t->place_of[wall] != KTG_NONE;
+        if (wall == own || !counts)
+            continue;
+        w->near[count++] = (ktg_tab_wall){
+            {ktg_to_frame(frame, ktg_start_of(t, wall)), ktg_to_frame(frame, ktg_end_of(t, wall))},
+            clearance};
+    }
+    return count;
+}
+
+/* The sides of a region of one face are no walls of the grid. */
+static uint32_t gather_sides(const ktg_tab_plan *plan, const ktg_tab_slot *slot, uint32_t count,
+                             walls *w) {
+    const ktg_topology *t = plan->topology;
+    const ktg_tab_frame *frame = &slot->frames[KTG_LAYER_UNDER];
+    uint32_t side = slot->mate;
+    for (int k = 0; k < 2; k++) {
+        side = ktg_next_corner(side);
+        w->near[count++] = (ktg_tab_wall){
+            {ktg_to_frame(frame, ktg_start_of(t, side)), ktg_to_frame(frame, ktg_end_of(t, side))},
+            plan->options->tab_inset_mm};
+    }
+    return count;
+}
+
+/* Where cutting back left nothing: any tab at all. */
+static bool find_low_room(const ktg_tab_plan *plan, ktg_tab_slot *slot, walls *w) {
+    const ktg_finish_options *options = plan->options;
+    const ktg_topology *t = plan->topology;
+    slot->room = (ktg_trapezoid){0, slot->wish.length, 0, 0, options->tab_height_mm};
+    uint32_t count = gather(plan, slot, KTG_LAYER_OUTSIDE, KTG_TAB_AIR_LEAST_MM, 0, w);
+    if (t->region_size[t->region_of[slot->mate / 3]] == 1)
+        count = gather_sides(plan, slot, count, w);
+    else
+        count = gather(plan, slot, KTG_LAYER_UNDER, options->tab_inset_mm, count, w);
+    return ktg_trapezoid_search(&slot->room, &slot->wish, options->tab_inset_mm, w->near, count);
+}
+
 /* The wished tab, before anything stands in its way. */
 static ktg_trapezoid wished_tab(const ktg_finish_options *options, double length) {
     double cot = 1 / tan(options->tab_flank), inset = options->tab_inset_mm;
@@ -142,18 +194,11 @@ static ktg_trapezoid wished_tab(const ktg_finish_options *options, double length
     return tab;
 }
 
-static void find_room(const ktg_tab_plan *plan, ktg_tab_slot *slot, walls *w) {
-    const ktg_finish_options *options = plan->options;
-    double length = ktg_length2(ktg_sub2(ktg_end_of(plan->topology, slot->halfedge),
-                                         ktg_start_of(plan->topology, slot->halfedge)));
-    slot->room = wished_tab(options, length);
-    slot->wish = (ktg_tab_wish){length, options->tab_height_mm, options->tab_least_mm};
-    if (!(options->tab_height_mm > 0) || !ktg_trapezoid_is_tab(&slot->room, &slot->wish))
-        return;
-    set_frames(plan->topology, slot);
+/* What is left when everything in the way has cut the wished tab back. */
+static bool find_cut_room(const ktg_tab_plan *plan, ktg_tab_slot *slot, walls *w) {
     cut_by_region(plan, slot, w);
     if (!ktg_trapezoid_is_tab(&slot->room, &slot->wish))
-        return;
+        return false;
     slot->wish.height = slot->room.height;
     ktg_trapezoid under = slot->room;
     cut_by_piece(plan, slot, KTG_TAB_AIR_MM, w);
@@ -165,7 +210,20 @@ static void find_room(const ktg_tab_plan *plan, ktg_tab_slot *slot, walls *w) {
             ktg_trapezoid_value(&slot->room, &slot->wish))
             slot->room = airy;
     }
-    slot->usable = ktg_trapezoid_is_tab(&slot->room, &slot->wish);
+    return ktg_trapezoid_is_tab(&slot->room, &slot->wish);
+}
+
+static void find_room(const ktg_tab_plan *plan, ktg_tab_slot *slot, walls *w) {
+    const ktg_finish_options *options = plan->options;
+    double length = ktg_length2(ktg_sub2(ktg_end_of(plan->topology, slot->halfedge),
+                                         ktg_start_of(plan->topology, slot->halfedge)));
+    slot->room = wished_tab(options, length);
+    slot->wish = (ktg_tab_wish){length, options->tab_height_mm, options->tab_least_mm};
+    if (!(options->tab_height_mm > 0) || !ktg_trapezoid_is_tab(&slot->room, &slot->wish))
+        return;
+    set_frames(plan->topology, slot);
+    slot->usable = find_cut_room(plan, slot, w) ||
+                   (length >= options->tab_edge_mm && find_low_room(plan, slot, w));
 }
 
 static ktg_status list_cuts(ktg_context *context, ktg_tab_plan *plan) {

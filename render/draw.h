@@ -25,6 +25,7 @@ typedef enum ktg_stroke {
     KTG_STROKE_MOUNTAIN,
     KTG_STROKE_VALLEY,
     KTG_STROKE_TAB,
+    KTG_STROKE_JOINT, /* a cut edge without a tab */
     KTG_STROKE_SEW,
     KTG_STROKE_GRAIN,
     KTG_STROKE_PLACE_FOLD, /* cloth laid double */
@@ -39,6 +40,13 @@ typedef struct ktg_fold_segment {
     ktg_stroke stroke; /* KTG_STROKE_MOUNTAIN or KTG_STROKE_VALLEY */
 } ktg_fold_segment;
 
+/* Half a diamond on an edge that is glued to its mate without a tab: two corners on the edge, one
+ * inside the face between them. */
+typedef struct ktg_joint_mark {
+    uint32_t piece;
+    ktg_vec2 corners[3];
+} ktg_joint_mark;
+
 #define KTG_TITLE_SIZE 512
 
 /* What is the same on all sheets, found once. */
@@ -49,10 +57,12 @@ typedef struct ktg_drawing {
     char title[KTG_TITLE_SIZE]; /* valid UTF-8 without control characters */
     size_t *first_fold;         /* piece_count + 1: where a piece's folds begin */
     ktg_fold_segment *folds;
+    size_t joint_count;
+    ktg_joint_mark *joints;
     unsigned kinds; /* which strokes occur, as bits */
 } ktg_drawing;
 
-/* ---- options.c, folds.c ------------------------------------------------------------------- */
+/* ---- options.c, folds.c, joints.c --------------------------------------------------------- */
 
 /* Checks that `pattern` can be drawn (finished, laid out, indices in range) and collects what all
  * sheets share. Free with ktg_drawing_free. */
@@ -64,6 +74,15 @@ void ktg_drawing_free(ktg_drawing **drawing);
 
 /* Fills first_fold and folds: the folds between faces, and those at the feet of tabs. */
 KTG_NODISCARD ktg_status ktg_drawing_find_folds(ktg_drawing *drawing);
+/* Fills joints: the edges without a tab, where there are tabs at all. */
+KTG_NODISCARD ktg_status ktg_drawing_find_joints(ktg_drawing *drawing);
+
+/* place[f] becomes face f's index within its piece. */
+void ktg_drawing_fill_places(const ktg_pattern *pattern, uint32_t *place);
+/* Start and end of the side's edge and the corner opposite, in its piece; false when the pattern
+ * has no such side. */
+bool ktg_drawing_side(const ktg_drawing *drawing, const uint32_t *place,
+                      const ktg_pattern_side *side, ktg_vec2 corners[3]);
 
 /* ---- page.c ------------------------------------------------------------------------------- */
 
@@ -95,8 +114,7 @@ ktg_area ktg_page_printable(const ktg_page *page);
 KTG_NODISCARD ktg_status ktg_page_draw(const ktg_drawing *drawing, size_t sheet, cairo_t *cairo,
                                        bool *furnished);
 
-/* ---- lines.c, labels.c
- * --------------------------------------------------------------------------- */
+/* ---- lines.c, joints.c, labels.c ---------------------------------------------------------- */
 
 /* A straight stroke of the given kind on the page, its dashes fitted to its length. */
 void ktg_draw_stroke(const ktg_drawing *drawing, cairo_t *cairo, ktg_stroke stroke, ktg_vec2 from,
@@ -107,6 +125,8 @@ void ktg_draw_set_stroke(const ktg_drawing *drawing, cairo_t *cairo, ktg_stroke 
 ktg_stroke ktg_stroke_of_line(ktg_line_kind kind);
 /* A filled arrow head at `tip` of a line that comes from `from`, `length` mm long. */
 void ktg_draw_arrow_head(cairo_t *cairo, ktg_vec2 tip, ktg_vec2 from, double length);
+/* The mark of a butt joint. */
+void ktg_draw_joint(const ktg_drawing *drawing, cairo_t *cairo, const ktg_vec2 corners[3]);
 /* The tint of glue tabs. */
 void ktg_draw_set_tint(cairo_t *cairo);
 
@@ -116,6 +136,7 @@ void ktg_draw_folds(const ktg_page *page, const ktg_pattern_placement *placement
 void ktg_draw_lines(const ktg_page *page, const ktg_pattern_placement *placement);
 void ktg_draw_grounds(const ktg_page *page, const ktg_pattern_placement *placement);
 void ktg_draw_outline(const ktg_page *page, const ktg_pattern_placement *placement);
+void ktg_draw_joints(const ktg_page *page, const ktg_pattern_placement *placement);
 void ktg_draw_labels(const ktg_page *page, const ktg_pattern_placement *placement);
 
 /* ---- text.c ------------------------------------------------------------------------------- */

@@ -10,26 +10,31 @@ static ktg_stroke stroke_of_angle(const ktg_drawing *drawing, double angle) {
     return angle > 0 ? KTG_STROKE_MOUNTAIN : KTG_STROKE_VALLEY;
 }
 
-/* The fold between two faces of a piece: false when `edge` is none, or a flat one. `place` gives a
- * surface face's index within its piece. */
-static bool fold_of_edge(const ktg_drawing *drawing, const uint32_t *place,
-                         const ktg_pattern_edge *edge, uint32_t *piece_index,
-                         ktg_fold_segment *segment) {
+bool ktg_drawing_side(const ktg_drawing *drawing, const uint32_t *place,
+                      const ktg_pattern_side *side, ktg_vec2 corners[3]) {
     const ktg_pattern *pattern = drawing->pattern;
-    const ktg_pattern_side *side = &edge->sides[0];
-    if ((edge->kind != KTG_EDGE_MOUNTAIN && edge->kind != KTG_EDGE_VALLEY) ||
-        edge->side_count < 1 || side->piece >= pattern->piece_count ||
-        side->face >= pattern->face_count || side->corner > 2)
+    if (side->piece >= pattern->piece_count || side->face >= pattern->face_count ||
+        side->corner > 2)
         return false;
     const ktg_pattern_piece *piece = &pattern->pieces[side->piece];
     uint32_t face = place[side->face];
     if (face >= piece->face_count || piece->faces[face] != side->face)
         return false;
-    const uint32_t *corners = &piece->corners[3 * (size_t)face];
-    *piece_index = side->piece;
-    *segment = (ktg_fold_segment){piece->vertices[corners[side->corner]],
-                                  piece->vertices[corners[(side->corner + 1) % 3]],
-                                  stroke_of_angle(drawing, edge->angle)};
+    for (uint32_t k = 0; k < 3; k++)
+        corners[k] = piece->vertices[piece->corners[3 * (size_t)face + (side->corner + k) % 3]];
+    return true;
+}
+
+/* The fold between two faces of a piece: false when `edge` is none, or a flat one. */
+static bool fold_of_edge(const ktg_drawing *drawing, const uint32_t *place,
+                         const ktg_pattern_edge *edge, uint32_t *piece_index,
+                         ktg_fold_segment *segment) {
+    ktg_vec2 corners[3];
+    if ((edge->kind != KTG_EDGE_MOUNTAIN && edge->kind != KTG_EDGE_VALLEY) ||
+        edge->side_count < 1 || !ktg_drawing_side(drawing, place, &edge->sides[0], corners))
+        return false;
+    *piece_index = edge->sides[0].piece;
+    *segment = (ktg_fold_segment){corners[0], corners[1], stroke_of_angle(drawing, edge->angle)};
     return segment->stroke != KTG_STROKE_COUNT;
 }
 
@@ -65,7 +70,7 @@ static void walk(ktg_drawing *drawing, const uint32_t *place, size_t *next) {
             }
 }
 
-static void fill_places(const ktg_pattern *pattern, uint32_t *place) {
+void ktg_drawing_fill_places(const ktg_pattern *pattern, uint32_t *place) {
     for (size_t p = 0; p < pattern->piece_count; p++)
         for (size_t f = 0; f < pattern->pieces[p].face_count; f++)
             if (pattern->pieces[p].faces[f] < pattern->face_count)
@@ -81,7 +86,7 @@ ktg_status ktg_drawing_find_folds(ktg_drawing *drawing) {
     ktg_status status = place && next && drawing->first_fold ? KTG_OK : KTG_MEMORY;
     /* The triangles of cloth are no folds. */
     if (status == KTG_OK && pattern->mode == KTG_PAPER) {
-        fill_places(pattern, place);
+        ktg_drawing_fill_places(pattern, place);
         walk(drawing, place, next);
         for (size_t p = 0; p < pattern->piece_count; p++) {
             drawing->first_fold[p + 1] = drawing->first_fold[p] + next[p];

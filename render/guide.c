@@ -34,6 +34,8 @@ static const char *explain(ktg_stroke stroke) {
         [KTG_STROKE_VALLEY] = "valley fold: towards you, the print inside",
         [KTG_STROKE_TAB] =
             "glue tab: fold it at its foot, glue it under the edge of the same number",
+        [KTG_STROKE_JOINT] =
+            "no tab: glue it edge to edge, halves on each other, on a strip of paper inside",
         [KTG_STROKE_SEW] = "seam: sew here",
         [KTG_STROKE_GRAIN] = "grain: lay it along the threads of the cloth",
         [KTG_STROKE_PLACE_FOLD] = "place on fold: lay it on the fold of the doubled cloth",

@@ -4,6 +4,8 @@
 #define SAMPLE_MM       6.0
 #define WORD_GAP_MM     1.2
 #define ENTRY_GAP_MM    3.0
+#define BRIEF_GAP_MM    2.2
+#define MARK_SAMPLE_MM  3.0 /* of what is no line */
 #define LEGEND_DIGIT_MM 1.7
 
 const char *ktg_legend_word(ktg_stroke stroke, bool brief) {
@@ -12,6 +14,7 @@ const char *ktg_legend_word(ktg_stroke stroke, bool brief) {
         [KTG_STROKE_MOUNTAIN] = {"mountain fold", "mountain"},
         [KTG_STROKE_VALLEY] = {"valley fold", "valley"},
         [KTG_STROKE_TAB] = {"glue tab", "tab"},
+        [KTG_STROKE_JOINT] = {"edge to edge", "edge to edge"},
         [KTG_STROKE_SEW] = {"seam", "seam"},
         [KTG_STROKE_GRAIN] = {"grain", "grain"},
         [KTG_STROKE_PLACE_FOLD] = {"place on fold", "on fold"},
@@ -35,11 +38,25 @@ static void tab_sample(const ktg_drawing *drawing, cairo_t *cairo, double x, dou
     cairo_stroke(cairo);
 }
 
+/* A cut with the mark on it. */
+static void joint_sample(const ktg_drawing *drawing, cairo_t *cairo, double x, double y,
+                         double width) {
+    double middle = x + width / 2, foot = y + 0.6;
+    ktg_vec2 mark[] = {{middle - 0.85, foot}, {middle, foot - 1}, {middle + 0.85, foot}};
+    ktg_draw_stroke(drawing, cairo, KTG_STROKE_CUT, (ktg_vec2){x, foot},
+                    (ktg_vec2){x + width, foot});
+    ktg_draw_joint(drawing, cairo, mark);
+}
+
 void ktg_legend_sample(const ktg_drawing *drawing, cairo_t *cairo, ktg_stroke stroke, double x,
                        double y, double width) {
     ktg_vec2 from = {x, y}, to = {x + width, y};
     if (stroke == KTG_STROKE_TAB) {
         tab_sample(drawing, cairo, x, y, width);
+        return;
+    }
+    if (stroke == KTG_STROKE_JOINT) {
+        joint_sample(drawing, cairo, x, y, width);
         return;
     }
     if (stroke == KTG_STROKE_NOTCH) {
@@ -57,16 +74,25 @@ static void set_words(cairo_t *cairo) {
     ktg_text_set(cairo, KTG_FACE_PLAIN, LEGEND_DIGIT_MM);
 }
 
+static double sample_width(ktg_stroke stroke) {
+    return stroke == KTG_STROKE_JOINT || stroke == KTG_STROKE_NOTCH ? MARK_SAMPLE_MM : SAMPLE_MM;
+}
+
+static double entry_gap(bool brief) {
+    return brief ? BRIEF_GAP_MM : ENTRY_GAP_MM;
+}
+
 static double entry_width(cairo_t *cairo, ktg_stroke stroke, bool brief) {
-    return SAMPLE_MM + WORD_GAP_MM + ktg_text_width(cairo, ktg_legend_word(stroke, brief));
+    return sample_width(stroke) + WORD_GAP_MM +
+           ktg_text_width(cairo, ktg_legend_word(stroke, brief));
 }
 
 double ktg_legend_width(const ktg_drawing *drawing, cairo_t *cairo, bool brief) {
-    double width = -ENTRY_GAP_MM;
+    double width = -entry_gap(brief);
     set_words(cairo);
     for (int k = 0; k < KTG_STROKE_COUNT; k++)
         if (drawing->kinds & 1u << k)
-            width += entry_width(cairo, (ktg_stroke)k, brief) + ENTRY_GAP_MM;
+            width += entry_width(cairo, (ktg_stroke)k, brief) + entry_gap(brief);
     return width;
 }
 
@@ -86,12 +112,12 @@ size_t ktg_legend_draw(const ktg_drawing *drawing, cairo_t *cairo, double x, dou
         }
         double line = y + (double)(lines - 1) * KTG_LEGEND_LINE_MM;
         if (!dry) {
-            ktg_legend_sample(drawing, cairo, stroke, x + at, line, SAMPLE_MM);
+            ktg_legend_sample(drawing, cairo, stroke, x + at, line, sample_width(stroke));
             cairo_set_source_rgb(cairo, 0.25, 0.25, 0.25);
-            ktg_text_draw(cairo, x + at + SAMPLE_MM + WORD_GAP_MM, line + LEGEND_DIGIT_MM / 2,
-                          ktg_legend_word(stroke, brief));
+            ktg_text_draw(cairo, x + at + sample_width(stroke) + WORD_GAP_MM,
+                          line + LEGEND_DIGIT_MM / 2, ktg_legend_word(stroke, brief));
         }
-        at += entry + ENTRY_GAP_MM;
+        at += entry + entry_gap(brief);
     }
     return lines;
 }

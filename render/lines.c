@@ -17,6 +17,7 @@ static const look looks[KTG_STROKE_COUNT] = {
     [KTG_STROKE_MOUNTAIN] = {KTG_FOLD_MM, {2.2, 1.1, 0}, 0},
     [KTG_STROKE_VALLEY] = {KTG_FOLD_MM, {4.2, 0.9, 0.5}, 0},
     [KTG_STROKE_TAB] = {KTG_CUT_MM, {0, 0, 0}, 0},
+    [KTG_STROKE_JOINT] = {KTG_FOLD_MM, {0, 0, 0}, 0},
     [KTG_STROKE_SEW] = {0.2, {3, 1.5, 0}, 0},
     [KTG_STROKE_GRAIN] = {0.2, {0, 0, 0}, 0.25},
     [KTG_STROKE_PLACE_FOLD] = {0.25, {8, 1.5, 1}, 0},

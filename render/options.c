@@ -52,10 +52,12 @@ static ktg_status check_sheets(ktg_context *context, const ktg_pattern *pattern)
     return KTG_OK;
 }
 
-/* Which strokes the reader will meet. Folds are known already. */
+/* Which strokes the reader will meet. Folds and joints are known already. */
 static unsigned find_kinds(const ktg_drawing *drawing) {
     const ktg_pattern *pattern = drawing->pattern;
     unsigned kinds = 1u << KTG_STROKE_CUT;
+    if (drawing->joint_count > 0)
+        kinds |= 1u << KTG_STROKE_JOINT;
     for (size_t i = 0; i < pattern->piece_count; i++) {
         const ktg_pattern_piece *piece = &pattern->pieces[i];
         if (piece->tab_count > 0)
@@ -94,6 +96,8 @@ ktg_status ktg_drawing_new(ktg_context *context, const ktg_pattern *pattern,
     ktg_status status = check_options(context, &made->options);
     if (status == KTG_OK)
         status = ktg_drawing_find_folds(made);
+    if (status == KTG_OK)
+        status = ktg_drawing_find_joints(made);
     if (status != KTG_OK) {
         ktg_drawing_free(&made);
         return status;
@@ -115,6 +119,7 @@ void ktg_drawing_free(ktg_drawing **drawing) {
         return;
     ktg_free((*drawing)->first_fold);
     ktg_free((*drawing)->folds);
+    ktg_free((*drawing)->joints);
     ktg_free(*drawing);
     *drawing = NULL;
 }

@@ -30,7 +30,8 @@ ktg_status ktg_page_draw(const ktg_drawing *drawing, size_t number, cairo_t *cai
                          bool *furnished) {
     typedef void layer(const ktg_page *, const ktg_pattern_placement *);
     static layer *const layers[] = {ktg_draw_tabs,    ktg_draw_folds,   ktg_draw_lines,
-                                    ktg_draw_grounds, ktg_draw_outline, ktg_draw_labels};
+                                    ktg_draw_grounds, ktg_draw_outline, ktg_draw_joints,
+                                    ktg_draw_labels};
     ktg_page page = {drawing, &drawing->pattern->sheets[number], number, cairo};
     ktg_status status = ktg_check_cancel(drawing->context);
     if (status != KTG_OK)

@@ -389,6 +389,84 @@ static void cloth_has_seam_and_grain_lines_and_no_folds(void **state) {
     ktg_pattern_free(&pattern);
 }
 
+/* Two strips, the second one on the sheet: its seam (the ends at x = 40 and x = 160) has no tab. */
+static ktg_pattern *strip_without_tab(ktg_context *context) {
+    ktg_pattern *pattern = make_strips(context, 2, 210, 297, 10, 40, 200);
+    pattern->sheets[0].placements[0].piece = 1;
+    pattern->pieces[1].tab_count = 0;
+    pattern->pieces[1].label_count = 0;
+    pattern->edges[5].tab_on = -1;
+    return pattern;
+}
+
+/* Whether there is ink just inside the strip's ends, a millimetre around height y (mm). */
+static bool has_mark(const snapshot *picture, bool right, double y) {
+    double x = right ? 158.9 : 40.3;
+    return has_ink(picture, x, 200 + y - 1, x + 0.8, 200 + y + 1);
+}
+
+static void edges_without_a_tab_bear_half_a_diamond_on_both_copies(void **state) {
+    ktg_context *context = *state;
+    ktg_render_options options;
+    default_options(&options);
+    ktg_pattern *pattern = strip_without_tab(context);
+    snapshot picture = take(context, pattern, &options);
+    for (int right = 0; right < 2; right++) {
+        assert_true(has_mark(&picture, right, 20));
+        assert_false(has_mark(&picture, right, 24));
+        assert_false(has_mark(&picture, right, 16));
+        double inner = right ? 159.6 : 40.4; /* it is hollow */
+        assert_int_equal(grey(darkest(&picture, inner, 220)), 255);
+    }
+    assert_false(has_ink(&picture, 160.3, 215, 164.5, 225)); /* inside only */
+    cairo_surface_destroy(picture.surface);
+    ktg_pattern_free(&pattern);
+}
+
+static void marks_of_edges_keep_clear_of_numbers(void **state) {
+    ktg_context *context = *state;
+    ktg_render_options options;
+    default_options(&options);
+    ktg_pattern *pattern = strip_without_tab(context);
+    ktg_pattern_piece *piece = &pattern->pieces[1];
+    piece->label_count = 1; /* across the middle of the left end: both copies move on */
+    piece->labels[0] = (ktg_pattern_label){"28", {2, 20}, KTG_PI / 2, 2.4, 5};
+    snapshot picture = take(context, pattern, &options);
+    for (int right = 0; right < 2; right++)
+        assert_true(has_mark(&picture, right, 16) || has_mark(&picture, right, 24));
+    assert_int_equal(has_mark(&picture, false, 16), has_mark(&picture, true, 16));
+    assert_false(has_mark(&picture, true, 20));
+    cairo_surface_destroy(picture.surface);
+    ktg_pattern_free(&pattern);
+}
+
+static void no_marks_on_short_edges_nor_without_tabs_at_all(void **state) {
+    ktg_context *context = *state;
+    ktg_render_options options;
+    default_options(&options);
+    ktg_pattern *pattern = strip_without_tab(context);
+    pattern->pieces[0].tab_count = 0; /* as --tabs none makes it */
+    pattern->edges[2].tab_on = -1;
+    snapshot picture = take(context, pattern, &options);
+    assert_false(has_mark(&picture, false, 20) || has_mark(&picture, true, 20));
+    cairo_surface_destroy(picture.surface);
+    ktg_pattern_free(&pattern);
+
+    pattern = strip_without_tab(context);
+    ktg_pattern_piece *piece = &pattern->pieces[1];
+    for (int i = 0; i < 8; i++)
+        piece->vertices[i] = ktg_mul2(piece->vertices[i], 3.9 / SIDE_MM);
+    picture = take(context, pattern, &options);
+    assert_false(has_ink(&picture, 40.3, 200.3, 43, 203)); /* left of the first fold */
+    cairo_surface_destroy(picture.surface);
+    for (int i = 0; i < 8; i++)
+        piece->vertices[i] = ktg_mul2(piece->vertices[i], 4.1 / 3.9);
+    picture = take(context, pattern, &options);
+    assert_true(has_ink(&picture, 40.3, 200.3, 43, 203));
+    cairo_surface_destroy(picture.surface);
+    ktg_pattern_free(&pattern);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(a_png_has_the_pixels_asked_for, make_context, drop_context),
@@ -410,6 +488,12 @@ int main(void) {
                                         drop_context),
         cmocka_unit_test_setup_teardown(cloth_has_seam_and_grain_lines_and_no_folds, make_context,
                                         drop_context),
+        cmocka_unit_test_setup_teardown(edges_without_a_tab_bear_half_a_diamond_on_both_copies,
+                                        make_context, drop_context),
+        cmocka_unit_test_setup_teardown(marks_of_edges_keep_clear_of_numbers, make_context,
+                                        drop_context),
+        cmocka_unit_test_setup_teardown(no_marks_on_short_edges_nor_without_tabs_at_all,
+                                        make_context, drop_context),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
