@@ -1,14 +1,15 @@
 /* mesh/read.c - reading a model file: which format it is, and who parses it.
  *
  * The whole file is in memory before anything is looked at. All four formats are parsed by small C
- * parsers of our own, though OpenMesh is at hand, for these reasons (tried with OpenMesh 9.0
- * through an importer that collects plain faces): OBJ  its reader knows no groups, objects or `l`
- * elements and drops vertices it cannot parse; STL  its reader drops facets with two equal corners
- * without a word, and takes a truncated file; PLY  its reader hands positions on as floats only,
- * also from `double`; so does OFF  its reader, which is also lost at a comment behind the word OFF;
- *   all  the readers are single objects that keep the state of the file being read, so two contexts
- *        on two threads would disturb each other; and to bound the counts, the indices and the
- *        numbers beforehand takes a walk over the whole body, which is a parser. */
+ * parsers of our own, though OpenMesh is at hand. Tried with OpenMesh 9.0, through an importer that
+ * collects plain faces:
+ * - OBJ: no groups, objects or `l` elements; vertices that cannot be parsed are dropped.
+ * - STL: facets with two equal corners are dropped without a word; a truncated file is taken.
+ * - PLY: positions come as floats only, also from `double`.
+ * - OFF: likewise; and a comment behind the word OFF is its undoing.
+ * - All: the readers are single objects that keep the state of the file being read, so two contexts
+ *   on two threads would disturb each other; and to bound counts, indices and numbers beforehand
+ *   takes a walk over the whole body, which is a parser. */
 #include "mesh/read.h"
 #include "core/file.h"
 #include "core/memory.h"
