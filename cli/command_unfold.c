@@ -41,7 +41,10 @@ static const char *plural(uint32_t count) {
     return count == 1 ? "" : "s";
 }
 
-static void tell_result(const settings *s, const ktg_pipeline_report *r) {
+/* Called before the files are in place: the last words are their names. */
+static void tell_result(void *user, const ktg_pipeline_report *r) {
+    const settings *s = user;
+    cli_end_progress();
     if (r->unfold.stopped_by == KTG_STOPPED_INTERRUPT)
         fputs("interrupted: this is the best pattern so far\n", stderr);
     if (r->unfold.stopped_by == KTG_STOPPED_TIME)
@@ -88,11 +91,10 @@ static exit_code run_pattern(int argc, char **argv, int command, const char *usa
     s.pipeline.model = s.arguments[0];
     s.pipeline.outputs = s.outputs;
     s.pipeline.output_count = s.output_count;
-    ktg_pipeline_report report;
-    ktg_status status = ktg_pipeline_run(context, &s.pipeline, &report);
+    s.pipeline.made = s.quiet ? NULL : tell_result;
+    s.pipeline.user = &s;
+    ktg_status status = ktg_pipeline_run(context, &s.pipeline, NULL);
     cli_end_progress();
-    if (status == KTG_OK && !s.quiet)
-        tell_result(&s, &report);
     exit_code code = status == KTG_OK ? EXIT_DONE : cli_fail(context, status);
     ktg_context_free(&context);
     free(path);

@@ -173,9 +173,13 @@ ktg_status ktg_outputs_write_report(ktg_context *context, const ktg_pipeline_opt
     return ktg_pipeline_write_report(context, options, report, output);
 }
 
-ktg_status ktg_outputs_commit(ktg_context *context, ktg_outputs *outputs) {
+ktg_status ktg_outputs_finish(ktg_context *context, ktg_outputs *outputs) {
     for (size_t i = 0; i < outputs->count; i++)
         KTG_TRY(ktg_output_finish(context, outputs->items[i]));
+    return KTG_OK;
+}
+
+ktg_status ktg_outputs_commit(ktg_context *context, ktg_outputs *outputs) {
     for (size_t i = 0; i < outputs->count; i++) {
         char path[PATH_MAX];
         snprintf(path, sizeof path, "%s", ktg_output_path(outputs->items[i]));

@@ -26,7 +26,8 @@ KTG_NODISCARD ktg_status ktg_outputs_write_report(ktg_context *context,
                                                   const ktg_pipeline_report *report,
                                                   ktg_outputs *outputs);
 
-/* All files appear, after all of them have reached the disk. */
+/* All files reach the disk, beside their places; then all of them appear. */
+KTG_NODISCARD ktg_status ktg_outputs_finish(ktg_context *context, ktg_outputs *outputs);
 KTG_NODISCARD ktg_status ktg_outputs_commit(ktg_context *context, ktg_outputs *outputs);
 
 /* Drops what is not committed and frees. */

@@ -39,6 +39,8 @@ typedef enum ktg_axis { KTG_AXIS_AUTO, KTG_AXIS_X, KTG_AXIS_Y, KTG_AXIS_Z } ktg_
 /* The number of faces that stands for "as many as there are". */
 #define KTG_ALL_FACES 0
 
+struct ktg_pipeline_report;
+
 typedef struct ktg_pipeline_options {
     ktg_pattern_mode mode; /* KTG_PAPER unfolds, KTG_CLOTH flattens */
     const char *model;     /* path of the model file */
@@ -61,6 +63,12 @@ typedef struct ktg_pipeline_options {
     size_t output_count;
     const char *report; /* where the figures go as JSON, or NULL; one of the outputs in every other
                            way */
+
+    void (*made)(void *user,
+                 const struct ktg_pipeline_report *report); /* called once, when all is written and
+                                                               only the files' names are to come; or
+                                                               NULL */
+    void *user;
 } ktg_pipeline_options;
 
 KTG_API void ktg_pipeline_defaults(ktg_pipeline_options *options);

@@ -156,6 +156,9 @@ static ktg_status run(ktg_context *context, const ktg_pipeline_options *options,
     report->seconds = ktg_clock_seconds() - j->start;
     KTG_TRY(ktg_outputs_write_report(context, options, report, &j->outputs));
     KTG_TRY(ktg_check_cancel(context));
+    KTG_TRY(ktg_outputs_finish(context, &j->outputs));
+    if (options->made)
+        options->made(options->user, report);
     return ktg_outputs_commit(context, &j->outputs);
 }
 

@@ -9,7 +9,7 @@
 #define MOST_LEVELS 20
 /* Cells of the lowest level that a face's neighbours lie in, on the average of all faces; a needle
  * beside faces a million times its size would have each of them walk 10^12. */
-#define MOST_CELLS 64.0
+#define MOST_CELLS 1024.0
 /* Farther cells are one, so that numbers of cells fit their type. */
 #define FARTHEST 1e9
 

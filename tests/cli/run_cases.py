@@ -22,6 +22,7 @@ how to run:
 what is expected:
   exit N                  must follow every run
   out WORDS / err WORDS   stand on standard output / standard error;   no-err   nothing stands there
+  err-last WORDS          are the last line of standard error
   no-out                  nothing on standard output
   keep FILE               has the bytes it had before the run
   only NAME...            these files are in the folder, and no others
@@ -196,6 +197,11 @@ class Case:
 
     def do_err(self, *words):
         expect(' '.join(words) in self.stderr, 'standard error lacks "%s"' % ' '.join(words))
+
+    def do_err_last(self, *words):
+        lines = self.stderr.splitlines()
+        expect(lines and lines[-1] == ' '.join(words),
+               'standard error does not end with "%s"' % ' '.join(words))
 
     def do_no_err(self):
         expect(not self.stderr, 'there are words on standard error')
