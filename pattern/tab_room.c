@@ -18,6 +18,12 @@ static double top_of(const ktg_trapezoid *t) {
     return base_of(t) - t->height * (t->left_cot + t->right_cot);
 }
 
+ktg_trapezoid ktg_trapezoid_wished(double length, double height, double cot, double inset) {
+    ktg_trapezoid tab = {inset, length - inset, cot, cot, height};
+    tab.height = fmin(height, base_of(&tab) / (2 * cot));
+    return tab;
+}
+
 uint32_t ktg_trapezoid_corners(const ktg_trapezoid *t, ktg_vec2 corners[4]) {
     double left = t->left + t->left_cot * t->height, right = t->right - t->right_cot * t->height;
     corners[0] = (ktg_vec2){t->left, 0};

@@ -1,5 +1,5 @@
-/* pattern/tab_room.h - the room a tab has: a trapezoid that is cut back by obstacles (pattern
- * only).
+/* pattern/tab_room.h - the room a tab has: a trapezoid that is cut back by obstacles (shared
+ * with unfold, which places tabs while it searches; not installed).
  *
  * Everything is said in the edge's own frame: the edge runs from (0, 0) to (length, 0), the tab
  * stands on it, y > 0. Seen from the piece that carries the tab that is outside; moved under the
@@ -28,6 +28,10 @@ typedef struct ktg_tab_wish {
 
 /* The most corners an obstacle can have. */
 #define KTG_OBSTACLE_CORNERS 8
+
+/* The wished tab on an edge, before anything stands in its way: `inset` from both ends, as high as
+ * flanks with the cotangent `cot` allow. */
+ktg_trapezoid ktg_trapezoid_wished(double length, double height, double cot, double inset);
 
 /* Counter-clockwise; returns 3 (pointed) or 4. The first corner is the left one of the base. */
 uint32_t ktg_trapezoid_corners(const ktg_trapezoid *t, ktg_vec2 corners[4]);

@@ -186,14 +186,6 @@ static bool find_low_room(const ktg_tab_plan *plan, ktg_tab_slot *slot, walls *w
     return ktg_trapezoid_search(&slot->room, &slot->wish, options->tab_inset_mm, w->near, count);
 }
 
-/* The wished tab, before anything stands in its way. */
-static ktg_trapezoid wished_tab(const ktg_finish_options *options, double length) {
-    double cot = 1 / tan(options->tab_flank), inset = options->tab_inset_mm;
-    ktg_trapezoid tab = {inset, length - inset, cot, cot, options->tab_height_mm};
-    tab.height = fmin(tab.height, (tab.right - tab.left) / (2 * cot));
-    return tab;
-}
-
 /* What is left when everything in the way has cut the wished tab back. */
 static bool find_cut_room(const ktg_tab_plan *plan, ktg_tab_slot *slot, walls *w) {
     cut_by_region(plan, slot, w);
@@ -217,7 +209,8 @@ static void find_room(const ktg_tab_plan *plan, ktg_tab_slot *slot, walls *w) {
     const ktg_finish_options *options = plan->options;
     double length = ktg_length2(ktg_sub2(ktg_end_of(plan->topology, slot->halfedge),
                                          ktg_start_of(plan->topology, slot->halfedge)));
-    slot->room = wished_tab(options, length);
+    slot->room = ktg_trapezoid_wished(length, options->tab_height_mm, 1 / tan(options->tab_flank),
+                                      options->tab_inset_mm);
     slot->wish = (ktg_tab_wish){length, options->tab_height_mm, options->tab_least_mm};
     if (!(options->tab_height_mm > 0) || !ktg_trapezoid_is_tab(&slot->room, &slot->wish))
         return;

@@ -2,6 +2,7 @@
 #include "core/clock.h"
 #include "core/memory.h"
 #include "unfold/compact.h"
+#include "unfold/arrange.h"
 #include "unfold/join.h"
 #include "unfold/split.h"
 #include "unfold/transplant.h"
@@ -69,7 +70,7 @@ static ktg_status make_compact(ktg_context *context, ktg_net *net,
     const ktg_dual *dual = net->dual;
     if (dual->edge_count == 0)
         return KTG_OK;
-    KTG_TRY(ktg_compact_run(context, net, options->sheet_aspect, work_for(dual, options, search),
+    KTG_TRY(ktg_arrange_run(context, dual, net->folded, options->sheet_aspect, work_for(dual, options, search),
                             search));
     KTG_TRY(ktg_net_refresh(context, net));
     if (net->live_count == 0)
