@@ -30,6 +30,10 @@ KTG_NODISCARD ktg_status ktg_repair_orient(ktg_repair *repair);
  * one edge; marked edges follow; vertices without faces go. */
 KTG_NODISCARD ktg_status ktg_repair_fans(ktg_repair *repair);
 
+/* repair_marks.c: marks become the edges that their vertices' corners are at now. before: 3
+ * face_count vertices as the marks name them, KTG_NONE where a corner had none. */
+KTG_NODISCARD ktg_status ktg_repair_carry_marks(ktg_repair *repair, const uint32_t *before);
+
 /* ---- helpers (repair_faces.c) --------------------------------------------------------------- */
 
 static inline uint32_t ktg_halfedge_next(uint32_t h) {

@@ -193,8 +193,7 @@ KTG_API KTG_NODISCARD ktg_status ktg_pattern_copy(ktg_context *context, const kt
 
 /* Says which groups, objects or materials of the model were left out (names copied); to be called
  * once. */
-KTG_API KTG_NODISCARD ktg_status ktg_pattern_set_omitted(ktg_context *context,
-                                                         ktg_pattern *pattern,
+KTG_API KTG_NODISCARD ktg_status ktg_pattern_set_omitted(ktg_context *context, ktg_pattern *pattern,
                                                          const char *const *names, size_t count);
 
 /* Multiplies every length of the surface and the pieces by `factor` (> 0, finite) and mm_per_unit
