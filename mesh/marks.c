@@ -63,8 +63,10 @@ ktg_status ktg_mesh_mark(ktg_context *context, ktg_mesh *mesh, const uint32_t *e
     ktg_edge_index index = {0};
     marking m = {0};
     uint32_t *weld = NULL;
-    ktg_status status = ktg_mesh_weld(context, mesh->positions, mesh->vertex_count, &weld);
-    if (status == KTG_OK)
+    ktg_status status = KTG_OK;
+    if (count > 0)
+        status = ktg_mesh_weld(context, mesh->positions, mesh->vertex_count, &weld);
+    if (status == KTG_OK && count > 0)
         status = ktg_edge_index_new(context, mesh->faces, mesh->face_count, weld, &index);
     for (uint32_t i = 0; status == KTG_OK && i < count; i++)
         status = mark_edge(context, mesh, weld, &index, edges + 2 * (size_t)i, i, &m);
@@ -111,19 +113,23 @@ static bool clear_faces(const ktg_names *names, const uint32_t *face_name, uint3
     return any;
 }
 
-/* The model's names, as many as a message bears. */
+/* The model's names, as many as a message bears: "groups: base, roof; materials: red". */
 static void list_names(const ktg_mesh *mesh, char *text, size_t size) {
     const ktg_names *tables[] = {&mesh->objects, &mesh->groups, &mesh->materials};
+    static const char *const kinds[] = {"objects: ", "groups: ", "materials: "};
     size_t length = 0;
     text[0] = 0;
     for (int t = 0; t < 3; t++)
         for (uint32_t n = 0; n < tables[t]->count; n++) {
-            if (length + 72 > size) {
+            if (length + 96 > size) {
                 snprintf(text + length, size - length, ", ...");
                 return;
             }
-            length += (size_t)snprintf(text + length, size - length, "%s%.60s", length ? ", " : "",
-                                       tables[t]->text[n]);
+            length += (size_t)snprintf(text + length, size - length, "%s%s%.60s",
+                                       n > 0        ? ", "
+                                       : length > 0 ? "; "
+                                                    : "",
+                                       n > 0 ? "" : kinds[t], tables[t]->text[n]);
         }
 }
 
@@ -143,7 +149,7 @@ static ktg_status choose_faces(ktg_context *context, const ktg_mesh *mesh, const
                         "material",
                         wanted);
     return ktg_fail(context, KTG_ARGUMENT,
-                    "no group, object or material is called \"%.100s\"; there are: %s", wanted,
+                    "no group, object or material is called \"%.100s\"; there are %s", wanted,
                     known);
 }
 

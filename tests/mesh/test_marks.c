@@ -153,7 +153,7 @@ static void a_name_that_is_not_there_is_answered_with_those_that_are(void **stat
     for (int i = 0; i < 5; i++) {
         assert_int_equal(ktg_mesh_omit(context_of(state), mesh, &bad[i], 1), KTG_ARGUMENT);
         assert_non_null(strstr(ktg_context_message(context_of(state)),
-                               "there are: base, front door, rest, grass"));
+                               "there are groups: base, front door, rest; materials: grass"));
     }
     assert_int_equal(mesh->face_count, 12);
     ktg_mesh_free(&mesh);
