@@ -183,13 +183,13 @@ static ktg_status explain_edge(ktg_context *context, const ktg_pipeline_options 
     if (hand->left_out[number] || (rule.cut && marked && options->omit_count > 0))
         return KTG_OK; /* what was left out is cut off */
     if (marked)
-        return ktg_fail(context, KTG_ARGUMENT,
+        return ktg_fail(context, KTG_FORMAT,
                         "%s:%llu: edge %u-%u lies on a border: where only one face is, nothing "
                         "can be %s",
                         rule.file, (unsigned long long)rule.line, rule.numbers[0], rule.numbers[1],
                         rule.cut ? "cut" : "kept");
     return ktg_fail(
-        context, KTG_ARGUMENT,
+        context, KTG_FORMAT,
         "%s:%llu: edge %u-%u is gone: faces there were without area or there twice, and "
         "were removed or cut by the repair; repair the model first (katagami simplify "
         "--faces all) and name edges of what comes out",

@@ -25,7 +25,7 @@ KTG_NODISCARD ktg_status ktg_hand_check_simplify(ktg_context *context,
                                                  const ktg_pipeline_options *options,
                                                  const ktg_mesh *mesh);
 
-/* Makes the rules for the surface that is unfolded. KTG_ARGUMENT names an edge that is gone, or
+/* Makes the rules for the surface that is unfolded. KTG_FORMAT names an edge that is gone, or
  * lies on a border. */
 KTG_NODISCARD ktg_status ktg_hand_make_rules(ktg_context *context,
                                              const ktg_pipeline_options *options,

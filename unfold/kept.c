@@ -78,8 +78,8 @@ static ktg_status fail_ring(ktg_context *context, const ktg_mesh *mesh, const kt
                             number_of(rule, mesh, dual, edge, end), angle * 180 / KTG_PI, name);
     }
     return ktg_fail(context, KTG_GEOMETRY,
-                    "the folds to be kept close a ring of faces that cannot be laid flat; do not "
-                    "keep one of them, for example %s",
+                    "the folds to be kept close a ring of faces, and no net does without a cut "
+                    "through it; do not keep one of them, for example %s",
                     name);
 }
 
