@@ -390,8 +390,8 @@ static bool may_miss(const char *way) {
     const char *key = strrchr(way, '.');
     if (strstr(way, ".labels["))
         return !strcmp(key, ".rotation_deg") || !strcmp(key, ".height_mm") || !strcmp(key, ".edge");
-    return key &&
-           (!strcmp(key, ".size") || !strcmp(key, ".face_strain") || !strcmp(key, ".first_side"));
+    return key && (!strcmp(key, ".size") || !strcmp(key, ".omitted") || !strcmp(key, ".forced") ||
+                   !strcmp(key, ".face_strain") || !strcmp(key, ".first_side"));
 }
 
 static size_t damage_below(fixture *f, const json_t *root, json_t *value, const char *way);
