@@ -65,10 +65,11 @@ static ktg_status leave_out(ktg_context *context, const ktg_pipeline_options *op
         return KTG_MEMORY;
     if (options->omit_count == 0)
         return KTG_OK;
-    KTG_TRY(ktg_mesh_omit(context, mesh, options->omit, options->omit_count));
+    KTG_TRY(ktg_about_file(context, options->model,
+                           ktg_mesh_omit(context, mesh, options->omit, options->omit_count)));
     for (uint32_t i = 0; i < hand->edge_count; i++)
         hand->left_out[i] = true;
-    for (uint32_t i = 0; i < mesh->marked_count; i++)
+    for (uint32_t i = 0; hand->edge_count > 0 && i < mesh->marked_count; i++)
         hand->left_out[mesh->marked_numbers[i]] = false;
     ktg_log(context, KTG_LOG_NOTE, "left out: %u of %u faces", before - mesh->face_count, before);
     return KTG_OK;
@@ -80,7 +81,8 @@ ktg_status ktg_hand_take(ktg_context *context, const ktg_pipeline_options *optio
         return ktg_fail(context, KTG_ARGUMENT,
                         "edges can be kept or cut in paper, not in cloth: leave them out");
     KTG_TRY(read_lists(context, options, mesh, hand));
-    KTG_TRY(mark_all(context, mesh, hand));
+    if (options->mode == KTG_PAPER) /* the model's own marks mean nothing to a net */
+        KTG_TRY(mark_all(context, mesh, hand));
     return leave_out(context, options, mesh, hand);
 }
 
@@ -90,8 +92,10 @@ ktg_status ktg_hand_take(ktg_context *context, const ktg_pipeline_options *optio
  * there would be no vertices left for the shape. */
 ktg_status ktg_hand_check_simplify(ktg_context *context, const ktg_pipeline_options *options,
                                    const ktg_mesh *mesh) {
-    bool *stays = ktg_new(context, mesh->vertex_count, bool);
     uint64_t count = 0;
+    if (!mesh->marked_numbers)
+        return KTG_OK;
+    bool *stays = ktg_new(context, mesh->vertex_count, bool);
     if (!stays)
         return KTG_MEMORY;
     for (size_t i = 0; i < 2 * (size_t)mesh->marked_count; i++) {

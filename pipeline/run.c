@@ -140,7 +140,6 @@ typedef struct job {
 
 static ktg_status shape(ktg_context *context, const ktg_pipeline_options *options, job *j,
                         ktg_pipeline_report *report) {
-    KTG_TRY(ktg_hand_take(context, options, j->mesh, &j->hand));
     KTG_TRY(repair(context, options, j->mesh, report));
     KTG_TRY(ktg_hand_make_rules(context, options, j->mesh, &j->hand));
     KTG_TRY(make_pieces(context, options, j->mesh, &j->hand, j->title, &j->pattern, report));
@@ -158,6 +157,7 @@ static ktg_status run(ktg_context *context, const ktg_pipeline_options *options,
         return KTG_MEMORY;
     ktg_progress(context, "read", 0, options->model);
     KTG_TRY(ktg_mesh_read(context, options->model, options->model_format, &j->mesh));
+    KTG_TRY(ktg_hand_take(context, options, j->mesh, &j->hand));
     KTG_TRY(ktg_about_file(context, options->model, shape(context, options, j, report)));
     ktg_pipeline_options with_title = *options;
     if (!with_title.render.title)

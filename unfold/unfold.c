@@ -103,9 +103,31 @@ typedef struct work {
     size_t pieces_capacity;
 } work;
 
+static ktg_status part_dual(ktg_context *context, const work *w, uint32_t part, ktg_dual **dual) {
+    uint32_t begin = w->parts.first[part], count = w->parts.first[part + 1] - begin;
+    KTG_TRY(ktg_dual_new(context, w->mesh, &w->rules.adjacency, w->parts.faces + begin, count,
+                         w->scale, dual));
+    ktg_rules_apply(&w->rules, w->adjacency, *dual);
+    return KTG_OK;
+}
+
+/* Before any part is searched: what cannot be is said at once. */
+static ktg_status check_kept(ktg_context *context, const work *w) {
+    ktg_status status = KTG_OK;
+    if (w->options->rule_count == 0)
+        return KTG_OK;
+    for (uint32_t part = 0; status == KTG_OK && part < w->parts.count; part++) {
+        ktg_dual *dual = NULL;
+        status = part_dual(context, w, part, &dual);
+        if (status == KTG_OK)
+            status = ktg_kept_check(context, w->mesh, &w->rules, dual, w->scale);
+        ktg_dual_free(&dual);
+    }
+    return status;
+}
+
 static ktg_status unfold_dual(ktg_context *context, work *w, const ktg_dual *dual, uint32_t part,
                               bool *joined, ktg_pattern *pattern) {
-    KTG_TRY(ktg_kept_check(context, w->mesh, &w->rules, dual, w->scale));
     ktg_random_seed(&w->search.random, ktg_context_seed(context) + part);
     w->search.generations_before = w->search.report.generations;
     KTG_TRY(join(context, dual, w->options, &w->search, joined));
@@ -118,11 +140,8 @@ static ktg_status unfold_dual(ktg_context *context, work *w, const ktg_dual *dua
 }
 
 static ktg_status unfold_part(ktg_context *context, work *w, uint32_t part, ktg_pattern *pattern) {
-    uint32_t begin = w->parts.first[part], count = w->parts.first[part + 1] - begin;
     ktg_dual *dual = NULL;
-    KTG_TRY(ktg_dual_new(context, w->mesh, &w->rules.adjacency, w->parts.faces + begin, count,
-                         w->scale, &dual));
-    ktg_rules_apply(&w->rules, w->adjacency, dual);
+    KTG_TRY(part_dual(context, w, part, &dual));
     bool *joined = ktg_new(context, dual->edge_count, bool);
     ktg_status status = joined ? unfold_dual(context, w, dual, part, joined, pattern) : KTG_MEMORY;
     ktg_free(joined);
@@ -183,6 +202,7 @@ static ktg_status fill_pattern(ktg_context *context, work *w, const char *name,
     if (!w->is_fold)
         return KTG_MEMORY;
     KTG_TRY(start_pattern(context, w, name, pattern));
+    KTG_TRY(check_kept(context, w));
     for (uint32_t part = 0; part < w->parts.count; part++) {
         KTG_TRY(unfold_part(context, w, part, pattern));
         KTG_TRY(ktg_check_cancel(context));
