@@ -92,13 +92,31 @@ static void a_mark_where_two_solids_touch_is_on_both(void **state) {
     ktg_mesh_free(&mesh);
 }
 
-static void a_mark_on_a_face_without_area_is_lost(void **state) {
-    double points[] = {0, 0, 0, 2, 0, 0, 2, 2, 0, 1, 0, 0};
+/* A sliver 0 3 1 behind the edge 0 1: the face in front of it is cut at 3, and so is the mark. */
+static void a_mark_is_cut_with_its_face(void **state) {
+    double points[] = {0, 0, 0, 2, 0, 0, 2, 2, 0, 1, 0, 0, 0, -1, 0};
+    uint32_t faces[] = {0, 1, 2, 0, 3, 1, 3, 0, 4};
+    for (int turned = 0; turned < 2; turned++) {
+        ktg_mesh *mesh = make(state, POINTS(points), FACES(faces));
+        mark(state, mesh, turned, 1 - turned);
+        repair(state, mesh);
+        assert_int_equal(mesh->face_count, 3);
+        assert_int_equal(mesh->marked_count, 2);
+        ktg_vec3 from = {2.0 * turned, 0, 0}, middle = {1, 0, 0}, to = {2.0 * (1 - turned), 0, 0};
+        assert_mark(mesh, 0, from, middle);
+        assert_mark(mesh, 1, middle, to);
+        assert_int_equal(mesh->marked_numbers[0] + mesh->marked_numbers[1], 0);
+        ktg_mesh_free(&mesh);
+    }
+}
+
+static void a_mark_without_length_is_lost(void **state) {
+    double points[] = {0, 0, 0, 2, 0, 0, 2, 2, 0, 2, 0, 0};
     uint32_t faces[] = {0, 1, 2, 0, 3, 1};
     ktg_mesh *mesh = make(state, POINTS(points), FACES(faces));
-    mark(state, mesh, 0, 1);
+    mark(state, mesh, 3, 1);
     repair(state, mesh);
-    assert_int_equal(mesh->face_count, 2);
+    assert_int_equal(mesh->face_count, 1);
     assert_int_equal(mesh->marked_count, 0);
     ktg_mesh_free(&mesh);
 }
@@ -223,7 +241,8 @@ int main(void) {
         cmocka_unit_test(marks_on_either_side_of_a_seam_are_one_when_it_closes),
         cmocka_unit_test(marks_made_by_hand_survive_on_the_second_side_of_a_seam),
         cmocka_unit_test(a_mark_where_two_solids_touch_is_on_both),
-        cmocka_unit_test(a_mark_on_a_face_without_area_is_lost),
+        cmocka_unit_test(a_mark_is_cut_with_its_face),
+        cmocka_unit_test(a_mark_without_length_is_lost),
         cmocka_unit_test(faces_are_left_out_by_any_of_their_names),
         cmocka_unit_test(a_name_that_is_not_there_is_answered_with_those_that_are),
         cmocka_unit_test(leaving_out_everything_is_refused),
