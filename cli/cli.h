@@ -19,11 +19,18 @@ typedef enum exit_code {
 
 #define CLI_MOST_OUTPUTS 64
 
+/* What an option collects that may be given several times. */
+typedef struct word_list {
+    const char *words[CLI_MOST_OUTPUTS];
+    size_t count;
+} word_list;
+
 /* Everything the command line of any command can say. */
 typedef struct settings {
     ktg_pipeline_options pipeline;
     const char *outputs[CLI_MOST_OUTPUTS];
     size_t output_count;
+    word_list keep, cut, omit;
     const char *arguments[2]; /* what is not an option */
     int argument_count;
     bool faces_given;

@@ -49,8 +49,9 @@ static ktg_status run(ktg_context *context, settings *s) {
         cli_print_safe(stderr, s->outputs[0]);
         fputc('\n', stderr);
         if (s->pipeline.faces != KTG_ALL_FACES && !simplify.target_reached)
-            fputs("warning: fewer faces would change the model's topology or fold it over\n",
-                  stderr);
+            fprintf(stderr,
+                    "warning: fewer faces would change the model's topology or fold it over%s\n",
+                    mesh->marked_count > 0 ? ", or an edge that is marked (l)" : "");
     }
     ktg_output_discard(&output);
     ktg_mesh_free(&mesh);

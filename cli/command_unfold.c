@@ -91,6 +91,12 @@ static exit_code run_pattern(int argc, char **argv, int command, const char *usa
     s.pipeline.model = s.arguments[0];
     s.pipeline.outputs = s.outputs;
     s.pipeline.output_count = s.output_count;
+    s.pipeline.keep = s.keep.words;
+    s.pipeline.keep_count = s.keep.count;
+    s.pipeline.cut = s.cut.words;
+    s.pipeline.cut_count = s.cut.count;
+    s.pipeline.omit = s.omit.words;
+    s.pipeline.omit_count = s.omit.count;
     s.pipeline.made = s.quiet ? NULL : tell_result;
     s.pipeline.user = &s;
     ktg_status status = ktg_pipeline_run(context, &s.pipeline, NULL);

@@ -30,6 +30,10 @@ static ktg_status run(ktg_context *context, const settings *s) {
     if (status == KTG_OK && s->argument_count > 1)
         status = ktg_mesh_read(context, s->arguments[1], KTG_MESH_BY_ENDING, &model);
     if (status == KTG_OK && model)
+        status = ktg_about_file(context, s->arguments[1],
+                                ktg_mesh_omit(context, model, (const char *const *)pattern->omitted,
+                                              pattern->omitted_count));
+    if (status == KTG_OK && model)
         status = ktg_about_file(context, s->arguments[1], ktg_mesh_repair(context, model, &repair));
     if (status == KTG_OK)
         status = ktg_verify(context, pattern, model, &report);

@@ -78,6 +78,29 @@ static bool set_output(settings *s, const char *text) {
     return true;
 }
 
+/* Several files or names for one option. */
+static bool add_word(settings *s, word_list *list, const char *text) {
+    if (list->count == CLI_MOST_OUTPUTS) {
+        snprintf(s->complaint, sizeof s->complaint, "not more than %d can be given",
+                 CLI_MOST_OUTPUTS);
+        return false;
+    }
+    list->words[list->count++] = text;
+    return true;
+}
+
+static bool set_keep(settings *s, const char *text) {
+    return add_word(s, &s->keep, text);
+}
+
+static bool set_cut(settings *s, const char *text) {
+    return add_word(s, &s->cut, text);
+}
+
+static bool set_omit(settings *s, const char *text) {
+    return *text && add_word(s, &s->omit, text);
+}
+
 static bool set_faces(settings *s, const char *text) {
     s->faces_given = true;
     s->pipeline.faces = KTG_ALL_FACES;
@@ -302,6 +325,11 @@ static const option_line lines[] = {
      "what to write, by its ending; may be given several times"},
     {"output", 'o', "FILE", CMD_SIMPLIFY, set_output, "what to write, by its ending"},
     {"faces", 'f', "N|all", PAPER | CMD_SIMPLIFY, set_faces, "simplify to N faces, at least 4"},
+    {"keep", 0, "FILE", CMD_UNFOLD, set_keep,
+     "edges that stay folds: lines of vertex numbers, or OBJ l elements"},
+    {"cut", 0, "FILE", CMD_UNFOLD, set_cut, "edges that are cut, named likewise"},
+    {"omit", 0, "GROUP", PAPER, set_omit,
+     "leave out a group, object or material; may be given several times"},
     {"height", 0, "LENGTH", PAPER, set_height, "height of the finished model"},
     {"width", 0, "LENGTH", PAPER, set_width, "its width"},
     {"length", 0, "LENGTH", PAPER, set_length, "its length, the third direction"},

@@ -31,6 +31,7 @@ void ktg_mesh_free(ktg_mesh **mesh) {
     ktg_free(m->uvs);
     ktg_free(m->face_uv);
     ktg_free(m->marked_edges);
+    ktg_free(m->marked_numbers);
     ktg_free(m);
     *mesh = NULL;
 }
@@ -78,6 +79,7 @@ static ktg_status fill_copy(ktg_context *context, const ktg_mesh *m, ktg_mesh *c
     KTG_TRY(array_copy(context, m->face_uv, 3 * faces, index, &c->face_uv));
     KTG_TRY(
         array_copy(context, m->marked_edges, 2 * (size_t)m->marked_count, index, &c->marked_edges));
+    KTG_TRY(array_copy(context, m->marked_numbers, m->marked_count, index, &c->marked_numbers));
     if (m->material_library)
         KTG_TRY(array_copy(context, m->material_library, strlen(m->material_library) + 1, 1,
                            &c->material_library));

@@ -42,8 +42,9 @@ typedef struct ktg_mesh {
     ktg_vec2 *uvs;     /* uv_count texture coordinates, or NULL */
     uint32_t *face_uv; /* 3 face_count indices into uvs (KTG_NONE: none), or NULL */
 
-    uint32_t marked_count;  /* OBJ `l` elements: edges somebody marked */
-    uint32_t *marked_edges; /* 2 marked_count vertex indices, or NULL */
+    uint32_t marked_count;    /* OBJ `l` elements: edges somebody marked */
+    uint32_t *marked_edges;   /* 2 marked_count vertex indices, or NULL */
+    uint32_t *marked_numbers; /* marked_count numbers that follow them (ktg_mesh_mark), or NULL */
 } ktg_mesh;
 
 KTG_API void ktg_mesh_free(ktg_mesh **mesh);
@@ -85,6 +86,40 @@ KTG_API KTG_NODISCARD ktg_status ktg_mesh_write(ktg_context *context, const ktg_
 
 /* KTG_MESH_BY_ENDING when the path's ending (any case) is not that of a model format. */
 KTG_API ktg_mesh_format ktg_mesh_format_of(const char *path);
+
+/* ---- edges and faces that somebody names ---------------------------------------------------- */
+
+/* Edges of a mesh, as a file names them. */
+typedef struct ktg_edge_list {
+    uint32_t count;
+    uint32_t *vertices; /* 2 count vertex indices, as the file orders them */
+    uint64_t *lines;    /* count: where each stands */
+    char *file;         /* its name, for messages */
+} ktg_edge_list;
+
+/* Reads the names of edges from a file ("-": from standard input). Either text: on each line the
+ * numbers of two or more vertices, from 1 in the order of the model file, that follow each other
+ * along edges; # begins a comment. Or OBJ with `l` elements, whose vertices are those of its own
+ * `v` lines, found in the mesh by their position (1e-5 of its size), or, without `v` lines, the
+ * mesh's by number. The mesh must be as it was read. KTG_FILE, KTG_FORMAT with file and line: not a
+ * number, out of range, no edge of the mesh, no edge at all. */
+KTG_API KTG_NODISCARD ktg_status ktg_mesh_read_edges(ktg_context *context, const char *path,
+                                                     const ktg_mesh *mesh, ktg_edge_list *list);
+KTG_API void ktg_edge_list_free(ktg_edge_list *list);
+
+/* Marks these edges (2 count vertices) and no others. marked_numbers says which of them, from 0,
+ * each mark stands for: an edge between coincident vertices is marked wherever it lies. Marks and
+ * their numbers follow the mesh through repair (which may lose those of faces without area) and
+ * simplification. KTG_ARGUMENT when two vertices have no edge between them. */
+KTG_API KTG_NODISCARD ktg_status ktg_mesh_mark(ktg_context *context, ktg_mesh *mesh,
+                                               const uint32_t *edges, uint32_t count);
+
+/* Leaves out all faces of the groups, objects or materials named, with the vertices and marks that
+ * only they had; what they leave open stays open. A name may be one of several words of a group.
+ * KTG_ARGUMENT when nothing has a name (the message says what there is), KTG_GEOMETRY when no face
+ * is left. */
+KTG_API KTG_NODISCARD ktg_status ktg_mesh_omit(ktg_context *context, ktg_mesh *mesh,
+                                               const char *const *names, size_t count);
 
 /* ---- adjacency ---------------------------------------------------------------------------- */
 
@@ -185,9 +220,9 @@ typedef struct ktg_simplify_report {
  * normal flips, no degenerate face and no self-intersection that was not there before comes into
  * being; where these rules forbid every further collapse it stops early (report->target_reached =
  * false). Objects, groups, materials follow the surviving faces, and the lines between them are
- * kept to like edges; texture coordinates, polygons and marked edges are dropped when anything
- * changed. The mesh must be a manifold (as ktg_mesh_repair leaves it), else KTG_ARGUMENT. On
- * failure it is as it was. */
+ * kept to like edges; texture coordinates and polygons are dropped when anything changed. Marked
+ * edges stay as they are: their vertices do not move. The mesh must be a manifold (as
+ * ktg_mesh_repair leaves it), else KTG_ARGUMENT. On failure it is as it was. */
 KTG_API KTG_NODISCARD ktg_status ktg_mesh_simplify(ktg_context *context, ktg_mesh *mesh,
                                                    uint32_t target_faces,
                                                    ktg_simplify_report *report);

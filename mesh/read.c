@@ -11,14 +11,12 @@
  *   on two threads would disturb each other; and to bound counts, indices and numbers beforehand
  *   takes a walk over the whole body, which is a parser. */
 #include "mesh/read.h"
-#include "core/file.h"
 #include "core/memory.h"
 
 #include <string.h>
 #include <strings.h>
 
-#define LARGEST_FILE ((size_t)2 << 30)
-#define FORMATS      "OBJ, STL, PLY and OFF"
+#define FORMATS "OBJ, STL, PLY and OFF"
 
 /* ---- which format ------------------------------------------------------------------------- */
 
@@ -121,25 +119,12 @@ static ktg_status read_mesh(ktg_scan *scan, const char *path, ktg_mesh_format fo
 
 ktg_status ktg_mesh_read(ktg_context *context, const char *path, ktg_mesh_format format,
                          ktg_mesh **mesh) {
+    ktg_scan_file file;
+    ktg_scan scan;
     *mesh = NULL;
-    char *bytes = NULL, *name = NULL;
-    size_t size = 0;
-    KTG_TRY(ktg_file_read(context, path, LARGEST_FILE, &bytes, &size));
-    const char *shown = strcmp(path, "-") == 0 ? "standard input" : path;
-    name = ktg_name_clean(context, (ktg_word){shown, strlen(shown)});
-    locale_t plain = newlocale(LC_NUMERIC_MASK, "C", (locale_t)0);
-    ktg_status status = name ? KTG_OK : KTG_MEMORY;
-    if (status == KTG_OK && plain == (locale_t)0)
-        status = ktg_fail(context, KTG_MEMORY, "out of memory (locale)");
-    if (status == KTG_OK) {
-        ktg_scan scan = {context, name, bytes, bytes, bytes + size, 1, false, plain, 0};
-        if (size >= 3 && memcmp(bytes, "\xef\xbb\xbf", 3) == 0)
-            scan.at += 3; /* a byte order mark */
+    ktg_status status = ktg_scan_open(context, path, &file, &scan);
+    if (status == KTG_OK)
         status = read_mesh(&scan, path, format, mesh);
-    }
-    if (plain != (locale_t)0)
-        freelocale(plain);
-    ktg_free(name);
-    ktg_free(bytes);
+    ktg_scan_close(&file, &scan);
     return status;
 }

@@ -21,6 +21,15 @@ typedef struct ktg_scan {
     uint64_t rows_to_cancel_check;
 } ktg_scan;
 
+/* A scan over a file ("-": standard input), which is read as a whole, and what it holds. */
+typedef struct ktg_scan_file {
+    char *bytes, *name;
+    size_t size;
+} ktg_scan_file;
+KTG_NODISCARD ktg_status ktg_scan_open(ktg_context *context, const char *path, ktg_scan_file *file,
+                                       ktg_scan *scan);
+void ktg_scan_close(ktg_scan_file *file, ktg_scan *scan);
+
 /* Fails with "file:line: " before the text (without the line in binary data). */
 ktg_status ktg_scan_fail(const ktg_scan *scan, ktg_status status, const char *format, ...)
     KTG_PRINTF(3, 4);

@@ -3,6 +3,7 @@
  * Numbers are read the same way in every locale. Most of them have so few digits that one exact
  * multiplication or division by a power of ten gives the nearest double (Clinger 1990, "How to read
  * floating point numbers accurately", the fast case); the rest goes to strtod in the C locale. */
+#include "core/file.h"
 #include "core/memory.h"
 #include "mesh/read.h"
 
@@ -15,6 +16,35 @@
 
 /* Beyond this, products of a few lengths overflow. */
 #define LARGEST_NUMBER 1e75
+
+#define LARGEST_FILE ((size_t)2 << 30)
+
+ktg_status ktg_scan_open(ktg_context *context, const char *path, ktg_scan_file *file,
+                         ktg_scan *scan) {
+    const char *shown = strcmp(path, "-") == 0 ? "standard input" : path;
+    *file = (ktg_scan_file){0};
+    *scan = (ktg_scan){.context = context, .line = 1};
+    KTG_TRY(ktg_file_read(context, path, LARGEST_FILE, &file->bytes, &file->size));
+    file->name = ktg_name_clean(context, (ktg_word){shown, strlen(shown)});
+    if (!file->name)
+        return KTG_MEMORY;
+    scan->plain = newlocale(LC_NUMERIC_MASK, "C", (locale_t)0);
+    if (scan->plain == (locale_t)0)
+        return ktg_fail(context, KTG_MEMORY, "out of memory (locale)");
+    scan->name = file->name;
+    scan->start = scan->at = file->bytes;
+    scan->end = file->bytes + file->size;
+    if (file->size >= 3 && memcmp(file->bytes, "\xef\xbb\xbf", 3) == 0)
+        scan->at += 3; /* a byte order mark */
+    return KTG_OK;
+}
+
+void ktg_scan_close(ktg_scan_file *file, ktg_scan *scan) {
+    if (scan->plain != (locale_t)0)
+        freelocale(scan->plain);
+    ktg_free(file->name);
+    ktg_free(file->bytes);
+}
 
 ktg_status ktg_scan_fail(const ktg_scan *scan, ktg_status status, const char *format, ...) {
     char text[1024];

@@ -30,6 +30,18 @@ KTG_NODISCARD ktg_status ktg_repair_orient(ktg_repair *repair);
  * one edge; marked edges follow; vertices without faces go. */
 KTG_NODISCARD ktg_status ktg_repair_fans(ktg_repair *repair);
 
+/* An edge of faces that is cut at a vertex. */
+typedef struct ktg_mark_cut {
+    uint32_t ends[2], middle;
+} ktg_mark_cut;
+
+/* repair_marks.c: marks on edges that are cut get company: their halves. Sorts the cuts. */
+KTG_NODISCARD ktg_status ktg_repair_cut_marks(ktg_repair *repair, ktg_mark_cut *cuts, size_t count);
+
+/* repair_marks.c: marks become the edges that their vertices' corners are at now. before: 3
+ * face_count vertices as the marks name them, KTG_NONE where a corner had none. */
+KTG_NODISCARD ktg_status ktg_repair_carry_marks(ktg_repair *repair, const uint32_t *before);
+
 /* ---- helpers (repair_faces.c) --------------------------------------------------------------- */
 
 static inline uint32_t ktg_halfedge_next(uint32_t h) {

@@ -108,9 +108,24 @@ static ktg_status plan_cuts(ktg_repair *repair, clean_work *w, uint32_t longest)
     return KTG_OK;
 }
 
+static ktg_status cut_marks(ktg_repair *repair, const clean_work *w) {
+    const uint32_t *faces = repair->mesh->faces;
+    ktg_mark_cut *cuts = ktg_new(repair->context, w->cut_count, ktg_mark_cut);
+    if (!cuts)
+        return KTG_MEMORY;
+    for (size_t i = 0; i < w->cut_count; i++) {
+        uint32_t h = w->cuts[i].halfedge;
+        cuts[i] = (ktg_mark_cut){{faces[h], faces[ktg_halfedge_next(h)]}, w->cuts[i].vertex};
+    }
+    ktg_status status = ktg_repair_cut_marks(repair, cuts, w->cut_count);
+    ktg_free(cuts);
+    return status;
+}
+
 static ktg_status carry_out_cuts(ktg_repair *repair, clean_work *w) {
     ktg_mesh *mesh = repair->mesh;
     uint32_t added = mesh->face_count;
+    KTG_TRY(cut_marks(repair, w));
     KTG_TRY(ktg_repair_grow(repair->context, mesh, (uint32_t)w->cut_count, 0));
     for (size_t i = 0; i < w->cut_count; i++) {
         uint32_t h = w->cuts[i].halfedge, m = w->cuts[i].vertex;

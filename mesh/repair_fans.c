@@ -178,55 +178,7 @@ static ktg_status separate_edges(ktg_repair *repair, fans_work *w) {
     return KTG_OK;
 }
 
-/* ---- marked edges and unused vertices ---------------------------------------------------------
- */
-
-/* Each marked pair of the file's vertices becomes the edges its corners are at now. */
-static ktg_status carry_marks(ktg_repair *repair, const fans_work *w) {
-    ktg_mesh *mesh = repair->mesh, pairs = {0};
-    ktg_adjacency *adjacency = NULL;
-    uint32_t *marks = NULL, marks_count = 0;
-    size_t capacity = 0;
-    /* a face for each mark, whose first edge is the mark; then the file's faces */
-    pairs.face_count = mesh->marked_count + w->file_corners / 3;
-    pairs.faces = ktg_new(repair->context, 3 * (size_t)pairs.face_count, uint32_t);
-    ktg_status status = pairs.faces ? KTG_OK : KTG_MEMORY;
-    for (uint32_t i = 0; status == KTG_OK && i < mesh->marked_count; i++) {
-        pairs.faces[3 * i] = mesh->marked_edges[2 * i];
-        pairs.faces[3 * i + 1] = mesh->marked_edges[2 * i + 1];
-        pairs.faces[3 * i + 2] = KTG_NONE - 1;
-    }
-    if (status == KTG_OK) {
-        memcpy(pairs.faces + 3 * (size_t)mesh->marked_count, w->before,
-               w->file_corners * sizeof *w->before);
-        status = ktg_adjacency_new(repair->context, &pairs, &adjacency);
-    }
-    for (uint32_t i = 0; status == KTG_OK && i < mesh->marked_count; i++) {
-        uint32_t e = adjacency->halfedge_edge[3 * i];
-        for (uint32_t j = adjacency->edge_first[e];
-             status == KTG_OK && j < adjacency->edge_first[e + 1]; j++) {
-            uint32_t h = adjacency->edge_halfedges[j] - 3 * mesh->marked_count;
-            if (adjacency->edge_halfedges[j] < 3 * mesh->marked_count ||
-                (repair->mate[h] != KTG_NONE && repair->mate[h] < h))
-                continue;
-            status = ktg_reserve(repair->context, &marks, &capacity, 2 * (size_t)marks_count + 2);
-            if (status != KTG_OK)
-                break;
-            marks[2 * marks_count] = mesh->faces[h];
-            marks[2 * marks_count++ + 1] = mesh->faces[ktg_halfedge_next(h)];
-        }
-    }
-    if (status == KTG_OK) {
-        ktg_free(mesh->marked_edges);
-        mesh->marked_edges = marks;
-        mesh->marked_count = marks_count;
-    } else {
-        ktg_free(marks);
-    }
-    ktg_free(pairs.faces);
-    ktg_adjacency_free(&adjacency);
-    return status;
-}
+/* ---- unused vertices ------------------------------------------------------------------------ */
 
 static ktg_status drop_unused_vertices(ktg_repair *repair) {
     ktg_mesh *mesh = repair->mesh;
@@ -254,7 +206,7 @@ static ktg_status make_fans(ktg_repair *repair, fans_work *w) {
     KTG_TRY(set_vertices(repair, w));
     KTG_TRY(separate_edges(repair, w));
     if (repair->mesh->marked_edges)
-        KTG_TRY(carry_marks(repair, w));
+        KTG_TRY(ktg_repair_carry_marks(repair, w->before));
     return drop_unused_vertices(repair);
 }
 

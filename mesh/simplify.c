@@ -94,8 +94,12 @@ static ktg_status prepare(ktg_simplify *s, const ktg_mesh *mesh) {
     s->quadrics = ktg_new(s->context, mesh->vertex_count, ktg_quadric);
     s->stamps = ktg_new(s->context, mesh->vertex_count, uint32_t);
     s->border = ktg_new(s->context, mesh->vertex_count, bool);
-    if (!s->positions || !s->faces || !s->alive || !s->quadrics || !s->stamps || !s->border)
+    s->locked = ktg_new(s->context, mesh->vertex_count, bool);
+    if (!s->positions || !s->faces || !s->alive || !s->quadrics || !s->stamps || !s->border ||
+        !s->locked)
         return KTG_MEMORY;
+    for (size_t i = 0; i < 2 * (size_t)mesh->marked_count; i++)
+        s->locked[mesh->marked_edges[i]] = true;
     memset(s->alive, true, mesh->face_count);
     set_frame(s);
     KTG_TRY(ktg_adjacency_new(s->context, mesh, &adjacency));
@@ -120,6 +124,8 @@ static ktg_status write_back(const ktg_simplify *s, ktg_mesh *mesh) {
     for (uint32_t f = 0; f < s->face_count; f++)
         for (size_t k = 0; k < 3 && s->alive[f]; k++)
             renamed[s->faces[3 * (size_t)f + k]] = 1;
+    for (size_t i = 0; i < 2 * (size_t)mesh->marked_count; i++)
+        renamed[mesh->marked_edges[i]] = 1;
     for (uint32_t v = 0; v < s->vertex_count; v++)
         if (renamed[v]) {
             mesh->positions[vertices] = s->positions[v];
@@ -135,6 +141,8 @@ static ktg_status write_back(const ktg_simplify *s, ktg_mesh *mesh) {
         keep_numbers(mesh->face_material, faces, f);
         faces++;
     }
+    for (size_t i = 0; i < 2 * (size_t)mesh->marked_count; i++)
+        mesh->marked_edges[i] = renamed[mesh->marked_edges[i]];
     mesh->face_count = faces;
     mesh->vertex_count = vertices;
     ktg_free(renamed);
@@ -146,10 +154,9 @@ static void drop_fine_print(ktg_mesh *mesh) {
     ktg_free(mesh->face_polygon);
     ktg_free(mesh->uvs);
     ktg_free(mesh->face_uv);
-    ktg_free(mesh->marked_edges);
-    mesh->face_polygon = mesh->face_uv = mesh->marked_edges = NULL;
+    mesh->face_polygon = mesh->face_uv = NULL;
     mesh->uvs = NULL;
-    mesh->uv_count = mesh->marked_count = 0;
+    mesh->uv_count = 0;
 }
 
 /* The rules let no intersection in; this says so by other means, before anything is changed. */
@@ -183,6 +190,7 @@ static void free_state(ktg_simplify *s) {
     ktg_free(s->quadrics);
     ktg_free(s->stamps);
     ktg_free(s->border);
+    ktg_free(s->locked);
     ktg_free(s->heap);
     ktg_free(s->changed);
     ktg_free(s->found);

@@ -60,6 +60,7 @@ typedef struct ktg_simplify {
     double scale;     /* a power of two */
     uint32_t *stamps; /* vertex_count: goes up when a vertex changes */
     bool *border;     /* vertex_count; a vertex that stays keeps its state */
+    bool *locked;     /* vertex_count: of marked edges; never moves or goes, nor do those edges */
     ktg_halfedges *halfedges;
     ktg_boxes *boxes;     /* of the living faces */
     uint32_t boxed_faces; /* how many there were when the tree was built */

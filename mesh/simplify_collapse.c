@@ -1,7 +1,8 @@
 /* mesh/simplify_collapse.c - which edge is next: a heap of candidate collapses by quadric error.
  *
  * An edge is first tried at the position of least error, then at its ends; on a border only at its
- * ends, so that a border goes through vertices that it always had. A candidate is out of
+ * ends, so that a border goes through vertices that it always had. A locked vertex stays where it
+ * is. A candidate is out of
  * date when one of its vertices has changed since. When the heap runs dry before the target is
  * reached, all edges are tried again as long as that helps, then again with laxer shapes. */
 #include "core/memory.h"
@@ -52,10 +53,13 @@ static ktg_vec3 from_frame(const ktg_simplify *s, ktg_vec3 p) {
 /* The position and the cost of candidate->choice, or of the next one where it is impossible; false
  * when there is none. */
 static bool choose(const ktg_simplify *s, ktg_candidate *c, ktg_vec3 *position) {
+    if (s->locked[c->from] || (s->border[c->from] && !s->border[c->to]))
+        return false;
     ktg_quadric q = ktg_quadric_sum(&s->quadrics[c->from], &s->quadrics[c->to]);
     ktg_vec3 a = to_frame(s, s->positions[c->from]), b = to_frame(s, s->positions[c->to]);
     ktg_vec3 middle = ktg_mul3(ktg_add3(a, b), 0.5), best;
-    bool border = s->border[c->to], fixed = border && !s->border[c->from];
+    bool border = s->border[c->to] || s->locked[c->to];
+    bool fixed = s->locked[c->to] || (s->border[c->to] && !s->border[c->from]);
     double reach = 2 * ktg_length3(ktg_sub3(b, a));
     if (c->choice == 0 && !border && ktg_quadric_least(&q, middle, &best) &&
         ktg_length3(ktg_sub3(best, middle)) <= reach) {
@@ -74,10 +78,12 @@ static bool choose(const ktg_simplify *s, ktg_candidate *c, ktg_vec3 *position) 
     return true;
 }
 
-/* A border vertex stays where an inner one joins it; otherwise the lower number stays. */
+/* A locked vertex stays, then a border vertex where an inner one joins it; otherwise the lower
+ * number. */
 static ktg_status push_edge(ktg_simplify *s, uint32_t a, uint32_t b) {
     ktg_vec3 position;
-    bool swap = s->border[a] == s->border[b] ? a > b : s->border[b];
+    int rank_a = 2 * s->locked[a] + s->border[a], rank_b = 2 * s->locked[b] + s->border[b];
+    bool swap = rank_a == rank_b ? a > b : rank_b > rank_a;
     ktg_candidate c = {.to = swap ? b : a, .from = swap ? a : b};
     c.stamp = s->stamps[a] + s->stamps[b];
     return choose(s, &c, &position) ? push(s, &c) : KTG_OK;

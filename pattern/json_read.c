@@ -20,6 +20,22 @@ ktg_status ktg_json_read_id(const ktg_json *object, const char *key, const ktg_j
 
 /* ---- head and mesh ------------------------------------------------------------------------ */
 
+static ktg_status read_omitted(const ktg_json *model, ktg_pattern *p) {
+    ktg_json list, item;
+    KTG_TRY(ktg_json_get_optional(model, "omitted", KTG_JSON_ARRAY, &list));
+    if (!list.value)
+        return KTG_OK;
+    KTG_JSON_TAKE(&list, p->omitted, ktg_json_length(&list), char *);
+    p->omitted_count = ktg_json_length(&list);
+    for (size_t i = 0; i < p->omitted_count; i++) {
+        KTG_TRY(ktg_json_item(&list, i, KTG_JSON_STRING, &item));
+        p->omitted[i] = ktg_copy_text(model->context, json_string_value(item.value), SIZE_MAX);
+        if (!p->omitted[i])
+            return KTG_MEMORY;
+    }
+    return KTG_OK;
+}
+
 static ktg_status read_head(const ktg_json *root, ktg_pattern *p) {
     static const char *const formats[] = {"katagami-pattern", NULL};
     static const char *const units[] = {"mm", NULL};
@@ -43,7 +59,7 @@ static ktg_status read_head(const ktg_json *root, ktg_pattern *p) {
         return ktg_json_refuse(&at, "must not be negative");
     KTG_TRY(ktg_json_get(&model, "simplified", KTG_JSON_BOOLEAN, &at));
     p->simplified = json_is_true(at.value);
-    return KTG_OK;
+    return read_omitted(&model, p);
 }
 
 static ktg_status read_strain(const ktg_json *mesh, ktg_pattern *p) {
@@ -151,6 +167,8 @@ static ktg_status read_edge(const ktg_json *object, const ktg_json_reader *r,
     if (!json_is_null(at.value))
         KTG_TRY(ktg_json_below(&at, edge->side_count, &tab));
     edge->tab_on = json_is_null(at.value) ? -1 : (int)tab;
+    KTG_TRY(ktg_json_get_optional(object, "forced", KTG_JSON_BOOLEAN, &at));
+    edge->forced = at.value && json_is_true(at.value);
     return KTG_OK;
 }
 

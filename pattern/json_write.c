@@ -153,7 +153,12 @@ static void write_head(writer *w, const ktg_pattern *p) {
     count(w, p->model_faces);
     put(w, ",\"mm_per_unit\":");
     number(w, p->mm_per_unit);
-    put(w, p->simplified ? ",\"simplified\":true},\n" : ",\"simplified\":false},\n");
+    put(w, p->simplified ? ",\"simplified\":true" : ",\"simplified\":false");
+    for (size_t i = 0; i < p->omitted_count; i++) {
+        put(w, i ? "," : ",\"omitted\":[");
+        text_value(w, p->omitted[i]);
+    }
+    put(w, p->omitted_count ? "]},\n" : "},\n");
 }
 
 static void write_mesh(writer *w, const ktg_pattern *p) {
@@ -311,7 +316,8 @@ static void write_edge(writer *w, const ktg_pattern_edge *edge, size_t id) {
         put(w, "}");
     }
     put(w, "],\"tab_on\":");
-    put(w, edge->tab_on < 0 ? "null}" : edge->tab_on == 0 ? "0}" : "1}");
+    put(w, edge->tab_on < 0 ? "null" : edge->tab_on == 0 ? "0" : "1");
+    put(w, edge->forced ? ",\"forced\":true}" : "}");
 }
 
 static void write_edges(writer *w, const ktg_pattern *p) {

@@ -52,6 +52,9 @@ void ktg_pattern_free(ktg_pattern **pattern) {
         ktg_free(p->components[i].name);
     seams_free(p);
     sheets_free(p);
+    for (size_t i = 0; p->omitted && i < p->omitted_count; i++)
+        ktg_free(p->omitted[i]);
+    ktg_free(p->omitted);
     ktg_free(p->model_file);
     ktg_free(p->vertices);
     ktg_free(p->faces);
@@ -152,6 +155,19 @@ static ktg_status fill_seams_and_sheets(ktg_context *context, const ktg_pattern 
     return KTG_OK;
 }
 
+ktg_status ktg_pattern_set_omitted(ktg_context *context, ktg_pattern *p, const char *const *names,
+                                   size_t count) {
+    if (count == 0)
+        return KTG_OK;
+    p->omitted = ktg_new(context, count, char *);
+    if (!p->omitted)
+        return KTG_MEMORY;
+    p->omitted_count = count;
+    for (size_t i = 0; i < count; i++)
+        KTG_TRY(copy_string(context, names[i], &p->omitted[i]));
+    return KTG_OK;
+}
+
 static ktg_status fill_copy(ktg_context *context, const ktg_pattern *p, ktg_pattern *c) {
     c->mode = p->mode;
     c->model_faces = p->model_faces;
@@ -161,6 +177,7 @@ static ktg_status fill_copy(ktg_context *context, const ktg_pattern *p, ktg_patt
     c->face_count = p->face_count;
     c->edge_count = p->edge_count;
     KTG_TRY(copy_string(context, p->model_file, &c->model_file));
+    KTG_TRY(ktg_pattern_set_omitted(context, c, (const char *const *)p->omitted, p->omitted_count));
     KTG_TRY(copy_items(context, p->vertices, p->vertex_count, sizeof *p->vertices, &c->vertices));
     KTG_TRY(copy_items(context, p->faces, 3 * (size_t)p->face_count, sizeof *p->faces, &c->faces));
     KTG_TRY(copy_items(context, p->face_strain, p->face_count, sizeof *p->face_strain,

@@ -49,6 +49,7 @@ typedef struct ktg_pattern_edge {
     ktg_pattern_side sides[2];
     int tab_on;    /* index into sides of the side that carries the tab; -1: none */
     uint32_t seam; /* index into seams of a cut edge once seams are found, else KTG_NONE */
+    bool forced;   /* somebody wants this cut: it stays one even where it closes by itself */
 } ktg_pattern_edge;
 
 /* The most corners a tab's polygon can have. */
@@ -164,6 +165,9 @@ typedef struct ktg_pattern {
     uint32_t model_faces; /* triangles of the model as read */
     double mm_per_unit;   /* 0 before a scale is set */
     bool simplified;      /* the surface has other faces than the model */
+    char **omitted;       /* omitted_count: groups, objects and materials of the model whose faces
+                             were left out */
+    size_t omitted_count;
 
     uint32_t vertex_count, face_count;
     ktg_vec3 *vertices;  /* the surface the pattern folds into */
@@ -186,6 +190,11 @@ typedef struct ktg_pattern {
 KTG_API void ktg_pattern_free(ktg_pattern **pattern);
 KTG_API KTG_NODISCARD ktg_status ktg_pattern_copy(ktg_context *context, const ktg_pattern *pattern,
                                                   ktg_pattern **copy);
+
+/* Says which groups, objects or materials of the model were left out (names copied); to be called
+ * once. */
+KTG_API KTG_NODISCARD ktg_status ktg_pattern_set_omitted(ktg_context *context, ktg_pattern *pattern,
+                                                         const char *const *names, size_t count);
 
 /* Multiplies every length of the surface and the pieces by `factor` (> 0, finite) and mm_per_unit
  * likewise (an unscaled pattern counts as 1). Tabs, outlines, labels, lines, seams and sheets,

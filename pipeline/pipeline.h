@@ -47,11 +47,16 @@ typedef struct ktg_pipeline_options {
     ktg_mesh_format model_format;
     uint32_t faces; /* simplify to this many; 500 for paper, KTG_ALL_FACES for cloth */
 
+    const char *const *keep; /* keep_count files of edges that stay folds (ktg_mesh_read_edges) */
+    const char *const *cut;  /* cut_count files of edges that are cut; both for paper only */
+    const char *const *omit; /* omit_count groups, objects or materials whose faces are left out */
+    size_t keep_count, cut_count, omit_count;
+
     ktg_size_rule size_rule;
     double size_mm;
     ktg_axis up; /* auto: z for STL, y otherwise */
 
-    ktg_unfold_options unfold;
+    ktg_unfold_options unfold; /* its sheet_aspect and rules are set by the run */
     ktg_flatten_options flatten;
     ktg_finish_options finish;
     ktg_layout_options layout;
@@ -75,7 +80,8 @@ KTG_API void ktg_pipeline_defaults(ktg_pipeline_options *options);
 
 /* What came out, and how it was made. */
 typedef struct ktg_pipeline_report {
-    ktg_mesh_report model; /* as read, self-intersections not looked for */
+    ktg_mesh_report
+        model; /* as read, without what is left out; self-intersections not looked for */
     ktg_repair_report repair;
     ktg_simplify_report simplify;
     ktg_unfold_report unfold;   /* paper */
@@ -90,12 +96,12 @@ typedef struct ktg_pipeline_report {
     double seconds, seconds_unfold;
 } ktg_pipeline_report;
 
-/* Reads, repairs, simplifies, unfolds (or flattens), scales, finishes, lays out, renders and
- * writes. All outputs are written beside their places first, brought to the disk and then renamed
- * together: when anything fails, no file is touched. The log says which files were written.
- * `report` may be NULL; after a failure it holds what was known by then. KTG_ARGUMENT for options
- * that make no sense, an ending that is not known, a file that is to be written twice or is the
- * model. */
+/* Reads, leaves out, repairs, simplifies, unfolds (or flattens), scales, finishes, lays out,
+ * renders and writes. All outputs are written beside their places first, brought to the disk and
+ * then renamed together: when anything fails, no file is touched. The log says which files were
+ * written. `report` may be NULL; after a failure it holds what was known by then. KTG_ARGUMENT for
+ * options that make no sense, an ending that is not known, a file that is to be written twice or is
+ * the model. */
 KTG_API KTG_NODISCARD ktg_status ktg_pipeline_run(ktg_context *context,
                                                   const ktg_pipeline_options *options,
                                                   ktg_pipeline_report *report);

@@ -35,7 +35,8 @@ static ktg_status put_figures(ktg_context *context, ktg_output *output, const fi
 
 static ktg_status put_paper(ktg_context *context, ktg_output *output,
                             const ktg_pipeline_report *r) {
-    const figure figures[] = {{"strips", r->unfold.strips},
+    const figure figures[] = {{"parts", r->unfold.parts},
+                              {"strips", r->unfold.strips},
                               {"generations", r->unfold.generations},
                               {"evaluations", (double)r->unfold.evaluations},
                               {"restarts", r->unfold.restarts},

@@ -2,6 +2,7 @@
 #include "core/clock.h"
 #include "core/memory.h"
 #include "core/vec.h"
+#include "pipeline/hand.h"
 #include "pipeline/outputs.h"
 #include "pipeline/size.h"
 
@@ -45,13 +46,15 @@ static ktg_status simplify(ktg_context *context, const ktg_pipeline_options *opt
     if (options->faces == KTG_ALL_FACES || mesh->face_count <= options->faces)
         return KTG_OK;
     ktg_progress(context, "simplify", 0, NULL);
+    KTG_TRY(ktg_hand_check_simplify(context, options, mesh));
     KTG_TRY(ktg_mesh_simplify(context, mesh, options->faces, &report->simplify));
     ktg_log(context, KTG_LOG_NOTE, "simplified from %u to %u faces", report->simplify.faces_before,
             report->simplify.faces_after);
     if (!report->simplify.target_reached)
         ktg_log(context, KTG_LOG_WARNING,
-                "fewer than %u faces would change the model's topology or fold it",
-                report->simplify.faces_after);
+                "fewer than %u faces would change the model's topology or fold it%s",
+                report->simplify.faces_after,
+                mesh->marked_count > 0 ? ", or an edge that is to be kept or cut" : "");
     return KTG_OK;
 }
 
@@ -82,13 +85,15 @@ static double printable_aspect(const ktg_sheet_format *sheet, double otherwise) 
 }
 
 static ktg_status make_pieces(ktg_context *context, const ktg_pipeline_options *options,
-                              const ktg_mesh *mesh, const char *title, ktg_pattern **pattern,
-                              ktg_pipeline_report *report) {
+                              const ktg_mesh *mesh, const ktg_hand *hand, const char *title,
+                              ktg_pattern **pattern, ktg_pipeline_report *report) {
     double start = ktg_clock_seconds();
     if (options->mode == KTG_PAPER) {
         ktg_progress(context, "unfold", 0, NULL);
         ktg_unfold_options unfold = options->unfold;
         unfold.sheet_aspect = printable_aspect(&options->layout.sheet, unfold.sheet_aspect);
+        unfold.rules = hand->rules;
+        unfold.rule_count = hand->rule_count;
         KTG_TRY(ktg_unfold(context, mesh, title, &unfold, pattern, &report->unfold));
     } else {
         ktg_progress(context, "flatten", 0, NULL);
@@ -100,7 +105,9 @@ static ktg_status make_pieces(ktg_context *context, const ktg_pipeline_options *
     p->model_file = ktg_copy_text(context, base_name(options->model), SIZE_MAX);
     p->model_faces = report->model.faces;
     p->simplified = report->simplify.faces_after != report->simplify.faces_before;
-    return p->model_file ? KTG_OK : KTG_MEMORY;
+    if (!p->model_file)
+        return KTG_MEMORY;
+    return ktg_pattern_set_omitted(context, p, options->omit, options->omit_count);
 }
 
 static ktg_status put_on_sheets(ktg_context *context, const ktg_pipeline_options *options,
@@ -125,6 +132,7 @@ static ktg_status put_on_sheets(ktg_context *context, const ktg_pipeline_options
 typedef struct job {
     ktg_mesh *mesh;
     ktg_pattern *pattern;
+    ktg_hand hand;
     char *title;
     ktg_outputs outputs;
     double start;
@@ -133,7 +141,8 @@ typedef struct job {
 static ktg_status shape(ktg_context *context, const ktg_pipeline_options *options, job *j,
                         ktg_pipeline_report *report) {
     KTG_TRY(repair(context, options, j->mesh, report));
-    KTG_TRY(make_pieces(context, options, j->mesh, j->title, &j->pattern, report));
+    KTG_TRY(ktg_hand_make_rules(context, options, j->mesh, &j->hand));
+    KTG_TRY(make_pieces(context, options, j->mesh, &j->hand, j->title, &j->pattern, report));
     return put_on_sheets(context, options, j->pattern, report);
 }
 
@@ -148,6 +157,7 @@ static ktg_status run(ktg_context *context, const ktg_pipeline_options *options,
         return KTG_MEMORY;
     ktg_progress(context, "read", 0, options->model);
     KTG_TRY(ktg_mesh_read(context, options->model, options->model_format, &j->mesh));
+    KTG_TRY(ktg_hand_take(context, options, j->mesh, &j->hand));
     KTG_TRY(ktg_about_file(context, options->model, shape(context, options, j, report)));
     ktg_pipeline_options with_title = *options;
     if (!with_title.render.title)
@@ -173,6 +183,7 @@ ktg_status ktg_pipeline_run(ktg_context *context, const ktg_pipeline_options *op
     ktg_outputs_discard(&j.outputs);
     ktg_pattern_free(&j.pattern);
     ktg_mesh_free(&j.mesh);
+    ktg_hand_free(&j.hand);
     ktg_free(j.title);
     return status;
 }

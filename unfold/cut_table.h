@@ -22,10 +22,11 @@ KTG_NODISCARD ktg_status ktg_cut_table_new(ktg_context *context, const ktg_dual 
 void ktg_cut_table_free(ktg_cut_table *table);
 
 /* False when joining the edge would break the rule at one of its ends: it is not locally mergeable.
- */
+ * Kept folds were looked at before (rules.h). */
 static inline bool ktg_cut_table_allows(const ktg_cut_table *table, const ktg_dual_edge *edge) {
     uint32_t a = edge->vertices[0], b = edge->vertices[1];
-    return table->sectors[a] > table->needed[a] && table->sectors[b] > table->needed[b];
+    return edge->kept ||
+           (table->sectors[a] > table->needed[a] && table->sectors[b] > table->needed[b]);
 }
 
 static inline void ktg_cut_table_join(ktg_cut_table *table, const ktg_dual_edge *edge) {

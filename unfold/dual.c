@@ -1,4 +1,4 @@
-/* unfold/dual.c - the dual graph of one component. */
+/* unfold/dual.c - the dual graph of one part. */
 #include "unfold/dual.h"
 #include "core/memory.h"
 #include "core/vec.h"
@@ -54,7 +54,7 @@ static ktg_status allocate(ktg_context *context, ktg_dual *dual) {
     dual->lengths = ktg_new(context, corners, double);
     dual->flat = ktg_new(context, corners, ktg_vec2);
     dual->flat_vectors = ktg_new(context, corners, ktg_vec2);
-    dual->edges = ktg_new(context, corners / 2 + 1, ktg_dual_edge);
+    dual->edges = ktg_new(context, corners + 1, ktg_dual_edge);
     return dual->mesh_face && dual->faces && dual->halfedge_edge && dual->edge_vectors &&
                    dual->lengths && dual->flat && dual->flat_vectors && dual->edges
                ? KTG_OK
@@ -79,7 +79,12 @@ static uint32_t place_of(uint32_t number, const uint32_t *sorted, uint32_t count
     return low;
 }
 
-/* Numbers the component's vertices 0, 1, ... in the order of their numbers in the mesh. */
+uint32_t ktg_dual_face(const ktg_dual *dual, uint32_t mesh_face) {
+    uint32_t place = place_of(mesh_face, dual->mesh_face, dual->face_count);
+    return dual->mesh_face[place] == mesh_face ? place : KTG_NONE;
+}
+
+/* Numbers the part's vertices 0, 1, ... in the order of their numbers in the mesh. */
 static ktg_status take_faces(ktg_context *context, const ktg_mesh *mesh, ktg_dual *dual) {
     size_t corners = 3 * (size_t)dual->face_count;
     uint32_t *used = ktg_new(context, corners, uint32_t);
@@ -126,11 +131,10 @@ static void take_edges(const ktg_mesh *mesh, const ktg_adjacency *adjacency, ktg
     memset(dual->halfedge_edge, 0xff, 3 * (size_t)dual->face_count * sizeof(uint32_t));
     for (uint32_t h = 0; h < 3 * dual->face_count; h++) {
         uint32_t twin = adjacency->twin[3 * dual->mesh_face[h / 3] + h % 3];
-        if (twin == KTG_NONE)
+        uint32_t face = twin == KTG_NONE ? KTG_NONE : ktg_dual_face(dual, twin / 3);
+        if (face == KTG_NONE || 3 * face + twin % 3 < h)
             continue;
-        uint32_t other = 3 * place_of(twin / 3, dual->mesh_face, dual->face_count) + twin % 3;
-        if (other < h)
-            continue;
+        uint32_t other = 3 * face + twin % 3;
         uint32_t next = h % 3 == 2 ? h - 2 : h + 1;
         ktg_dual_edge *edge = &dual->edges[dual->edge_count];
         *edge = (ktg_dual_edge){.halfedge = {h, other},

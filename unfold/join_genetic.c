@@ -22,10 +22,10 @@ static ktg_status make_strips(ktg_context *context, const ktg_dual *dual, double
         status = ktg_strips_cut(context, dual, wanted);
     if (status == KTG_OK)
         status = ktg_patches_new(context, dual, strips);
-    for (int rigid = 1; rigid >= 0; rigid--) {
+    for (int firm = 2; firm >= 0; firm--) { /* kept edges, other rigid ones, the rest */
         for (uint32_t e = 0; status == KTG_OK && e < dual->edge_count; e++) {
             ktg_join result = KTG_OVERLAPS;
-            if (wanted[e] && dual->edges[e].rigid == rigid)
+            if (wanted[e] && dual->edges[e].rigid + dual->edges[e].kept == firm)
                 status = ktg_patches_join(context, *strips, e, &result);
             joined[e] = joined[e] || result == KTG_JOINED;
         }

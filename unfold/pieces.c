@@ -150,7 +150,7 @@ static ktg_status close_flat_cuts(ktg_context *context, lay *l) {
         return KTG_MEMORY;
     for (uint32_t h = 0; h < 3 * dual->face_count; h++)
         if (dual->halfedge_edge[h] == KTG_NONE)
-            cuts[dual->faces[h]] = 2; /* on the border: never the last cut */
+            cuts[dual->faces[h]] = 2; /* on the border or a forced cut: never the last one */
     for (uint32_t e = 0; e < dual->edge_count; e++)
         for (int i = 0; i < 2 && !l->joined[e]; i++)
             cuts[dual->edges[e].vertices[i]]++;
@@ -196,11 +196,13 @@ static ktg_status fill_piece(ktg_context *context, lay *l, uint32_t index, doubl
 }
 
 typedef struct piece_size {
-    uint32_t index, faces;
+    uint32_t component, index, faces;
 } piece_size;
 
 static int larger_first(const void *a, const void *b) {
     const piece_size *x = a, *y = b;
+    if (x->component != y->component)
+        return x->component < y->component ? -1 : 1;
     if (x->faces != y->faces)
         return x->faces > y->faces ? -1 : 1;
     return (x->index > y->index) - (x->index < y->index);
@@ -216,7 +218,7 @@ static ktg_status append_pieces(ktg_context *context, lay *l, double scale, uint
     if (status == KTG_OK) {
         memset(number, 0xff, l->point_count * sizeof *number);
         for (uint32_t i = 0; i < l->piece_count; i++)
-            sizes[i] = (piece_size){i, l->first[i + 1] - l->first[i]};
+            sizes[i] = (piece_size){component, i, l->first[i + 1] - l->first[i]};
         qsort(sizes, l->piece_count, sizeof *sizes, larger_first);
     }
     for (uint32_t i = 0; status == KTG_OK && i < l->piece_count; i++)
@@ -227,33 +229,65 @@ static ktg_status append_pieces(ktg_context *context, lay *l, double scale, uint
     return status;
 }
 
+ktg_status ktg_pieces_sort(ktg_context *context, ktg_pattern *pattern) {
+    size_t count = pattern->piece_count;
+    piece_size *sizes = ktg_new(context, count, piece_size);
+    ktg_pattern_piece *sorted = ktg_new(context, count, ktg_pattern_piece);
+    ktg_status status = sizes && sorted ? KTG_OK : KTG_MEMORY;
+    if (status == KTG_OK) {
+        for (uint32_t i = 0; i < count; i++)
+            sizes[i] = (piece_size){pattern->pieces[i].component, i,
+                                    (uint32_t)pattern->pieces[i].face_count};
+        qsort(sizes, count, sizeof *sizes, larger_first);
+        for (size_t i = 0; i < count; i++)
+            sorted[i] = pattern->pieces[sizes[i].index];
+        memcpy(pattern->pieces, sorted, count * sizeof *sorted);
+    }
+    ktg_free(sizes);
+    ktg_free(sorted);
+    return status;
+}
+
+static ktg_status lay_out(ktg_context *context, const ktg_dual *dual, bool *joined, lay *l) {
+    size_t n = dual->face_count;
+    *l = (lay){.dual = dual,
+               .joined = joined,
+               .face_piece = ktg_new(context, n, uint32_t),
+               .order = ktg_new(context, n, uint32_t),
+               .first = ktg_new(context, n + 1, uint32_t),
+               .turn = ktg_new(context, n, ktg_vec2),
+               .point = ktg_new(context, 3 * n, uint32_t),
+               .points = ktg_new(context, 3 * n, ktg_vec2),
+               .same = ktg_new(context, 3 * n, uint32_t)};
+    if (!l->face_piece || !l->order || !l->first || !l->turn || !l->point || !l->points || !l->same)
+        return KTG_MEMORY;
+    lay_pieces(l);
+    return close_flat_cuts(context, l);
+}
+
+static void free_lay(lay *l) {
+    ktg_free(l->face_piece);
+    ktg_free(l->order);
+    ktg_free(l->first);
+    ktg_free(l->turn);
+    ktg_free(l->point);
+    ktg_free(l->points);
+    ktg_free(l->same);
+}
+
+ktg_status ktg_pieces_close(ktg_context *context, const ktg_dual *dual, bool *joined) {
+    lay l;
+    ktg_status status = lay_out(context, dual, joined, &l);
+    free_lay(&l);
+    return status;
+}
+
 ktg_status ktg_pieces_append(ktg_context *context, const ktg_dual *dual, double scale, bool *joined,
                              uint32_t component, ktg_pattern *pattern, size_t *pieces_capacity) {
-    size_t n = dual->face_count;
-    lay l = {.dual = dual,
-             .joined = joined,
-             .face_piece = ktg_new(context, n, uint32_t),
-             .order = ktg_new(context, n, uint32_t),
-             .first = ktg_new(context, n + 1, uint32_t),
-             .turn = ktg_new(context, n, ktg_vec2),
-             .point = ktg_new(context, 3 * n, uint32_t),
-             .points = ktg_new(context, 3 * n, ktg_vec2),
-             .same = ktg_new(context, 3 * n, uint32_t)};
-    ktg_status status =
-        l.face_piece && l.order && l.first && l.turn && l.point && l.points && l.same ? KTG_OK
-                                                                                      : KTG_MEMORY;
-    if (status == KTG_OK) {
-        lay_pieces(&l);
-        status = close_flat_cuts(context, &l);
-    }
+    lay l;
+    ktg_status status = lay_out(context, dual, joined, &l);
     if (status == KTG_OK)
         status = append_pieces(context, &l, scale, component, pattern, pieces_capacity);
-    ktg_free(l.face_piece);
-    ktg_free(l.order);
-    ktg_free(l.first);
-    ktg_free(l.turn);
-    ktg_free(l.point);
-    ktg_free(l.points);
-    ktg_free(l.same);
+    free_lay(&l);
     return status;
 }

@@ -12,7 +12,7 @@ static void count_paths(ktg_net *net, uint32_t *path, uint32_t *uses) {
     }
 }
 
-/* The fold of the path to cut; KTG_NONE when one is cut already. */
+/* The fold of the path to cut, never a kept one; KTG_NONE when one is cut already. */
 static uint32_t choose_fold(const ktg_net *net, const uint32_t *path, uint32_t length,
                             const uint32_t *uses, const bool *joined) {
     uint32_t best = KTG_NONE;
@@ -20,6 +20,8 @@ static uint32_t choose_fold(const ktg_net *net, const uint32_t *path, uint32_t l
         uint32_t fold = path[k];
         if (!joined[fold])
             return KTG_NONE;
+        if (net->dual->edges[fold].kept)
+            continue;
         bool rigid = net->dual->edges[fold].rigid;
         if (best == KTG_NONE) {
             best = fold;

@@ -1,5 +1,4 @@
-/* unfold/unfold.c - the whole unfolding: component by component, then the pattern around the
- * pieces. */
+/* unfold/unfold.c - the whole unfolding: part by part, then the pattern around the pieces. */
 #include "unfold/unfold.h"
 #include "core/clock.h"
 #include "core/memory.h"
@@ -8,6 +7,7 @@
 #include "unfold/edges.h"
 #include "unfold/join.h"
 #include "unfold/pieces.h"
+#include "unfold/rules.h"
 
 #include <string.h>
 
@@ -95,51 +95,58 @@ typedef struct work {
     const ktg_unfold_options *options;
     double scale;
     ktg_search search;
+    ktg_rules rules;
+    ktg_parts parts;
     uint32_t *face_component;
     uint32_t component_count;
-    uint32_t *by_component; /* face_count: faces, component by component */
-    uint32_t *first;        /* component_count + 1 */
-    bool *is_fold;          /* per edge of the adjacency */
+    bool *is_fold; /* per edge of the adjacency */
     size_t pieces_capacity;
 } work;
 
-static ktg_status unfold_component(ktg_context *context, work *w, uint32_t component,
-                                   ktg_pattern *pattern) {
-    uint32_t begin = w->first[component], count = w->first[component + 1] - begin;
-    ktg_dual *dual = NULL;
-    KTG_TRY(ktg_dual_new(context, w->mesh, w->adjacency, w->by_component + begin, count, w->scale,
-                         &dual));
-    bool *joined = ktg_new(context, dual->edge_count, bool);
-    ktg_random_seed(&w->search.random, ktg_context_seed(context) + component);
-    w->search.generations_before = w->search.report.generations;
-    ktg_status status = joined ? join(context, dual, w->options, &w->search, joined) : KTG_MEMORY;
-    if (status == KTG_OK)
-        status = ktg_pieces_append(context, dual, w->scale, joined, component, pattern,
-                                   &w->pieces_capacity);
-    if (status == KTG_OK)
-        mark_folds(dual, w->adjacency, joined, w->is_fold);
-    w->search.faces_done += count;
-    ktg_free(joined);
-    ktg_dual_free(&dual);
+static ktg_status part_dual(ktg_context *context, const work *w, uint32_t part, ktg_dual **dual) {
+    uint32_t begin = w->parts.first[part], count = w->parts.first[part + 1] - begin;
+    KTG_TRY(ktg_dual_new(context, w->mesh, &w->rules.adjacency, w->parts.faces + begin, count,
+                         w->scale, dual));
+    ktg_rules_apply(&w->rules, w->adjacency, *dual);
+    return KTG_OK;
+}
+
+/* Before any part is searched: what cannot be is said at once. */
+static ktg_status check_kept(ktg_context *context, const work *w) {
+    ktg_status status = KTG_OK;
+    if (w->options->rule_count == 0)
+        return KTG_OK;
+    for (uint32_t part = 0; status == KTG_OK && part < w->parts.count; part++) {
+        ktg_dual *dual = NULL;
+        status = part_dual(context, w, part, &dual);
+        if (status == KTG_OK)
+            status = ktg_kept_check(context, w->mesh, &w->rules, dual, w->scale);
+        ktg_dual_free(&dual);
+    }
     return status;
 }
 
-/* Sorts the faces by component, keeping their order within one. */
-static ktg_status group_faces(ktg_context *context, work *w) {
-    w->first = ktg_new(context, (size_t)w->component_count + 2, uint32_t);
-    w->by_component = ktg_new(context, w->mesh->face_count, uint32_t);
-    w->is_fold = ktg_new(context, w->adjacency->edge_count, bool);
-    if (!w->first || !w->by_component || !w->is_fold)
-        return KTG_MEMORY;
-    uint32_t *next = w->first + 1;
-    for (uint32_t f = 0; f < w->mesh->face_count; f++)
-        if (w->face_component[f] + 1 < w->component_count)
-            next[w->face_component[f] + 1]++;
-    for (uint32_t c = 1; c < w->component_count; c++)
-        next[c] += next[c - 1];
-    for (uint32_t f = 0; f < w->mesh->face_count; f++)
-        w->by_component[next[w->face_component[f]]++] = f;
+static ktg_status unfold_dual(ktg_context *context, work *w, const ktg_dual *dual, uint32_t part,
+                              bool *joined, ktg_pattern *pattern) {
+    ktg_random_seed(&w->search.random, ktg_context_seed(context) + part);
+    w->search.generations_before = w->search.report.generations;
+    KTG_TRY(join(context, dual, w->options, &w->search, joined));
+    KTG_TRY(ktg_pieces_append(context, dual, w->scale, joined, w->parts.component[part], pattern,
+                              &w->pieces_capacity));
+    KTG_TRY(ktg_kept_are_folds(context, &w->rules, dual, joined));
+    mark_folds(dual, w->adjacency, joined, w->is_fold);
+    w->search.faces_done += dual->face_count;
     return KTG_OK;
+}
+
+static ktg_status unfold_part(ktg_context *context, work *w, uint32_t part, ktg_pattern *pattern) {
+    ktg_dual *dual = NULL;
+    KTG_TRY(part_dual(context, w, part, &dual));
+    bool *joined = ktg_new(context, dual->edge_count, bool);
+    ktg_status status = joined ? unfold_dual(context, w, dual, part, joined, pattern) : KTG_MEMORY;
+    ktg_free(joined);
+    ktg_dual_free(&dual);
+    return status;
 }
 
 /* The surface and the components' names. */
@@ -179,18 +186,43 @@ static ktg_status name_pieces(ktg_context *context, ktg_pattern *pattern) {
     return KTG_OK;
 }
 
+static void mark_forced(const work *w, ktg_pattern *pattern) {
+    for (uint32_t e = 0; e < w->adjacency->edge_count; e++)
+        pattern->edges[e].forced = ktg_rules_cut(&w->rules, e);
+}
+
 static ktg_status fill_pattern(ktg_context *context, work *w, const char *name,
                                ktg_pattern *pattern) {
+    KTG_TRY(ktg_rules_new(context, w->mesh, w->adjacency, w->options, &w->rules));
     KTG_TRY(ktg_mesh_components(context, w->mesh, w->adjacency, &w->face_component,
                                 &w->component_count));
-    KTG_TRY(group_faces(context, w));
+    KTG_TRY(ktg_parts_new(context, w->mesh, &w->rules, w->face_component, w->component_count,
+                          &w->parts));
+    w->is_fold = ktg_new(context, w->adjacency->edge_count, bool);
+    if (!w->is_fold)
+        return KTG_MEMORY;
     KTG_TRY(start_pattern(context, w, name, pattern));
-    for (uint32_t c = 0; c < w->component_count; c++) {
-        KTG_TRY(unfold_component(context, w, c, pattern));
+    KTG_TRY(check_kept(context, w));
+    for (uint32_t part = 0; part < w->parts.count; part++) {
+        KTG_TRY(unfold_part(context, w, part, pattern));
         KTG_TRY(ktg_check_cancel(context));
     }
+    KTG_TRY(ktg_pieces_sort(context, pattern));
     KTG_TRY(name_pieces(context, pattern));
-    return ktg_edges_fill(context, w->adjacency, w->is_fold, pattern);
+    KTG_TRY(ktg_edges_fill(context, w->adjacency, w->is_fold, pattern));
+    mark_forced(w, pattern);
+    return KTG_OK;
+}
+
+static void fill_report(work *w, const ktg_pattern *pattern, ktg_unfold_report *report) {
+    ktg_unfold_report *r = &w->search.report;
+    r->pieces = (uint32_t)pattern->piece_count;
+    r->components = w->component_count;
+    r->parts = w->parts.count;
+    if (w->options->method == KTG_METHOD_AUTO && r->pieces == r->parts)
+        r->seconds_to_one_piece = w->search.seconds;
+    if (report)
+        *report = *r;
 }
 
 ktg_status ktg_unfold(ktg_context *context, const ktg_mesh *mesh, const char *name,
@@ -215,20 +247,14 @@ ktg_status ktg_unfold(ktg_context *context, const ktg_mesh *mesh, const char *na
         status = KTG_MEMORY;
     if (status == KTG_OK)
         status = fill_pattern(context, &w, name, *pattern);
-    if (status == KTG_OK) {
-        w.search.report.pieces = (uint32_t)(*pattern)->piece_count;
-        w.search.report.components = w.component_count;
-        if (w.options->method == KTG_METHOD_AUTO && (*pattern)->piece_count == w.component_count)
-            w.search.report.seconds_to_one_piece = w.search.seconds;
-        if (report)
-            *report = w.search.report;
-    } else {
+    if (status == KTG_OK)
+        fill_report(&w, *pattern, report);
+    else
         ktg_pattern_free(pattern);
-    }
     ktg_free(w.face_component);
-    ktg_free(w.by_component);
-    ktg_free(w.first);
     ktg_free(w.is_fold);
+    ktg_parts_free(&w.parts);
+    ktg_rules_free(&w.rules);
     ktg_adjacency_free(&adjacency);
     return status;
 }

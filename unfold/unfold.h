@@ -26,6 +26,15 @@ typedef enum ktg_unfold_method {
  * all. */
 typedef enum ktg_effort { KTG_EFFORT_QUICK, KTG_EFFORT_NORMAL, KTG_EFFORT_BEST } ktg_effort;
 
+/* What somebody wants of one edge: that it stays a fold, or that it is cut. */
+typedef struct ktg_edge_rule {
+    uint32_t vertices[2]; /* of the mesh, in either order */
+    bool cut;             /* false: it stays a fold, whatever that costs */
+    uint32_t numbers[2];  /* what messages call the two vertices, ... */
+    const char *file;     /* ... and where the rule stands; or NULL */
+    uint64_t line;
+} ktg_edge_rule;
+
 /* Section 5 of the paper, where nothing else is said. ktg_unfold_defaults gives its values. */
 typedef struct ktg_unfold_options {
     ktg_unfold_method method; /* auto */
@@ -40,12 +49,14 @@ typedef struct ktg_unfold_options {
     uint32_t restarts;     /* fresh starts from other strips while a component is in several pieces;
                               20 (0: the paper) */
     double seconds;        /* an upper bound on the search's time; 0: none */
+    const ktg_edge_rule *rules; /* rule_count, borrowed; NULL where there is none */
+    uint32_t rule_count;
 } ktg_unfold_options;
 
 KTG_API void ktg_unfold_defaults(ktg_unfold_options *options);
 
 typedef enum ktg_stopped_by {
-    KTG_STOPPED_DONE, /* one piece per component, or converged */
+    KTG_STOPPED_DONE, /* one piece per part, or converged */
     KTG_STOPPED_WORK, /* the generations were used up */
     KTG_STOPPED_TIME,
     KTG_STOPPED_INTERRUPT
@@ -53,12 +64,14 @@ typedef enum ktg_stopped_by {
 
 typedef struct ktg_unfold_report {
     uint32_t pieces, components;
+    uint32_t parts;              /* what is left connected by the cuts that rules ask for; at least
+                                    the components, and the fewest pieces there can be */
     uint32_t strips;             /* initial patches of all components, in the first run */
     uint32_t restarts;           /* of all components together */
     uint32_t generations;        /* of all components together */
     uint64_t evaluations;        /* chromosomes decoded, or steps of the transplant search */
-    double seconds_to_one_piece; /* of all components together; 0 where one has more pieces (auto
-                                    only) */
+    double seconds_to_one_piece; /* of all parts together; 0 where a part has more pieces
+                                    (auto only) */
     ktg_stopped_by stopped_by;
 } ktg_unfold_report;
 
@@ -67,8 +80,12 @@ typedef struct ktg_unfold_report {
  * angle, no tabs; each face lies in exactly one piece and no two faces of a piece overlap by more
  * than 1e-7 of the model's size. What cannot be merged stays a further piece, so there is always an
  * answer. `name`: what a single component is called. Inner edges of coplanar input polygons
- * (mesh->face_polygon) stay folds. A cancel callback that says KTG_FINISH ends the search early
- * with the best pieces so far (stopped_by says so); KTG_STOP fails with KTG_CANCELLED. */
+ * (mesh->face_polygon) stay folds unless a piece has to be split. options->rules are obeyed or the
+ * call fails: KTG_ARGUMENT where a rule names no inner edge or two rules contradict each other,
+ * KTG_GEOMETRY, with the edge or vertex, where folds that are to be kept cannot be laid flat, or
+ * not without overlaps. A cut that a rule asks for stays one even where it closes by itself. A
+ * cancel callback that says KTG_FINISH ends the search early with the best pieces so far
+ * (stopped_by says so); KTG_STOP fails with KTG_CANCELLED. */
 KTG_API KTG_NODISCARD ktg_status ktg_unfold(ktg_context *context, const ktg_mesh *mesh,
                                             const char *name, const ktg_unfold_options *options,
                                             ktg_pattern **pattern, ktg_unfold_report *report);

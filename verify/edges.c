@@ -132,7 +132,8 @@ static void check_cut(ktg_check *check, uint32_t i, uint32_t h, uint32_t m) {
                           "Edge %u is called a cut, but its sides share both vertices of "
                           "piece %u: a fold.",
                           i + 1, check->face_piece[h / 3] + 1);
-    else if (check->pattern->mode == KTG_PAPER && is_no_cut(check, h, m))
+    else if (check->pattern->mode == KTG_PAPER && !check->pattern->edges[i].forced &&
+             is_no_cut(check, h, m))
         ktg_check_problem(check,
                           "Edge %u is called a cut, but its two copies in piece %u coincide "
                           "along their whole length: it should be a fold.",

@@ -116,8 +116,6 @@ static ktg_mesh *plate(void **state, uint32_t n) {
     for (uint32_t f = 0; f < mesh->face_count; f++)
         mesh->face_material[f] = f / 2 % n < n / 2 ? 3 : 5;
     mesh->face_polygon = calloc(mesh->face_count, sizeof *mesh->face_polygon);
-    mesh->marked_edges = calloc(2, sizeof *mesh->marked_edges);
-    mesh->marked_count = 1;
     return mesh;
 }
 
@@ -135,8 +133,68 @@ static void a_plate_keeps_its_corners_and_its_colours(void **state) {
     assert_float_equal(area[0], 128, 0.01);
     assert_float_equal(area[0] + area[1], 256, 1e-9);
     assert_null(mesh->face_polygon);
-    assert_null(mesh->marked_edges);
-    assert_int_equal(mesh->marked_count, 0);
+    ktg_mesh_free(&mesh);
+}
+
+/* Whether the mesh has an edge from p to q. */
+static bool has_edge(const ktg_mesh *mesh, ktg_vec3 p, ktg_vec3 q) {
+    for (uint32_t h = 0; h < 3 * mesh->face_count; h++) {
+        ktg_vec3 a = mesh->positions[mesh->faces[h]];
+        ktg_vec3 b = mesh->positions[mesh->faces[h % 3 == 2 ? h - 2 : h + 1]];
+        if ((!memcmp(&a, &p, sizeof p) && !memcmp(&b, &q, sizeof q)) ||
+            (!memcmp(&a, &q, sizeof q) && !memcmp(&b, &p, sizeof p)))
+            return true;
+    }
+    return false;
+}
+
+static void marked_edges_stay_as_they_are(void **state) {
+    ktg_mesh *mesh = plate(state, 16);
+    uint32_t edges[2 * 9];
+    ktg_vec3 ends[2 * 9];
+    for (uint32_t i = 0; i < 9; i++) { /* from the border into the middle */
+        edges[2 * i] = 17 * i + 8;
+        edges[2 * i + 1] = 17 * (i + 1) + 8;
+    }
+    for (uint32_t i = 0; i < 18; i++)
+        ends[i] = mesh->positions[edges[i]];
+    assert_int_equal(ktg_mesh_mark(context_of(state), mesh, edges, 9), KTG_OK);
+    assert_true(simplify(state, mesh, 60).target_reached);
+    assert_int_equal(mesh->marked_count, 9);
+    for (uint32_t i = 0; i < 9; i++) {
+        ktg_vec3 p = mesh->positions[mesh->marked_edges[2 * i]];
+        ktg_vec3 q = mesh->positions[mesh->marked_edges[2 * i + 1]];
+        assert_int_equal(mesh->marked_numbers[i], i);
+        assert_memory_equal(&p, &ends[2 * i], sizeof p);
+        assert_memory_equal(&q, &ends[2 * i + 1], sizeof q);
+        assert_true(has_edge(mesh, p, q));
+    }
+    double area = 0;
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        ktg_vec3 centre;
+        area += normal_of(mesh, f, &centre).z / 2;
+    }
+    assert_float_equal(area, 256, 1e-9); /* the border did not follow them in */
+    ktg_mesh_free(&mesh);
+}
+
+static void marked_edges_of_a_round_thing_stay_too(void **state) {
+    builder *b = build();
+    add_sphere(b, 0, 0, 0, 1, 0.1, 20, 30);
+    ktg_mesh *mesh = finish(state, b);
+    uint32_t edges[2 * 40];
+    ktg_vec3 ends[2 * 40];
+    for (uint32_t i = 0; i < 40; i++) {
+        edges[2 * i] = mesh->faces[3 * 25 * i];
+        edges[2 * i + 1] = mesh->faces[3 * 25 * i + 1];
+    }
+    for (uint32_t i = 0; i < 80; i++)
+        ends[i] = mesh->positions[edges[i]];
+    assert_int_equal(ktg_mesh_mark(context_of(state), mesh, edges, 40), KTG_OK);
+    (void)simplify(state, mesh, 300);
+    assert_in_range(mesh->face_count, 100, 300);
+    for (uint32_t i = 0; i < 40; i++)
+        assert_true(has_edge(mesh, ends[2 * i], ends[2 * i + 1]));
     ktg_mesh_free(&mesh);
 }
 
@@ -205,6 +263,8 @@ static void the_same_at_every_power_of_two_and_every_time(void **state) {
 
 static void what_is_small_enough_stays_as_it_is(void **state) {
     ktg_mesh *mesh = plate(state, 2);
+    const uint32_t edge[] = {4, 1};
+    assert_int_equal(ktg_mesh_mark(context_of(state), mesh, edge, 1), KTG_OK);
     ktg_simplify_report r = simplify(state, mesh, 8);
     assert_true(r.target_reached);
     assert_non_null(mesh->face_polygon);
@@ -260,6 +320,8 @@ int main(void) {
         cmocka_unit_test(a_sphere_ends_as_a_tetrahedron),
         cmocka_unit_test(the_borders_of_a_tube_keep_their_place),
         cmocka_unit_test(a_plate_keeps_its_corners_and_its_colours),
+        cmocka_unit_test(marked_edges_stay_as_they_are),
+        cmocka_unit_test(marked_edges_of_a_round_thing_stay_too),
         cmocka_unit_test(shells_that_all_but_touch_do_not_cut_each_other),
         cmocka_unit_test(linked_rings_stay_linked),
         cmocka_unit_test(intersections_that_were_there_do_not_grow),

@@ -50,6 +50,8 @@ static ktg_pattern *make_pattern(ktg_context *context) {
     p->model_faces = 622;
     p->mm_per_unit = 0.1;
     p->simplified = true;
+    const char *const omitted[] = {"floor", "K\xc3\xa4se \"y\""};
+    assert_int_equal(ktg_pattern_set_omitted(context, p, omitted, 2), KTG_OK);
     p->vertex_count = 4;
     p->face_count = 2;
     ktg_vec3 positions[4] = {
@@ -110,6 +112,7 @@ static ktg_pattern *make_pattern(ktg_context *context) {
     p->edges[2].side_count = 2;
     p->edges[2].sides[1] = (ktg_pattern_side){1, 1, 0};
     p->edges[2].tab_on = 1;
+    p->edges[2].forced = true;
     p->edges[2].seam = 0;
     p->seam_count = 1;
     p->seams = ktg_new(context, 1, ktg_pattern_seam);
@@ -222,6 +225,7 @@ static void assert_same_edge(const ktg_pattern_edge *a, const ktg_pattern_edge *
     assert_memory_equal(a->sides, b->sides, a->side_count * sizeof *a->sides);
     assert_int_equal(a->tab_on, b->tab_on);
     assert_int_equal(a->seam, b->seam);
+    assert_int_equal(a->forced, b->forced);
 }
 
 static void assert_same_seam(const ktg_pattern_seam *a, const ktg_pattern_seam *b) {
@@ -252,6 +256,9 @@ static void assert_same_pattern(const ktg_pattern *a, const ktg_pattern *b) {
     assert_int_equal(a->model_faces, b->model_faces);
     assert_true(a->mm_per_unit == b->mm_per_unit);
     assert_int_equal(a->simplified, b->simplified);
+    assert_int_equal(a->omitted_count, b->omitted_count);
+    for (size_t i = 0; i < a->omitted_count; i++)
+        assert_string_equal(a->omitted[i], b->omitted[i]);
     assert_int_equal(a->vertex_count, b->vertex_count);
     assert_same_array(a, b, a->vertex_count, vertices);
     assert_int_equal(a->face_count, b->face_count);
@@ -383,8 +390,8 @@ static bool may_miss(const char *way) {
     const char *key = strrchr(way, '.');
     if (strstr(way, ".labels["))
         return !strcmp(key, ".rotation_deg") || !strcmp(key, ".height_mm") || !strcmp(key, ".edge");
-    return key &&
-           (!strcmp(key, ".size") || !strcmp(key, ".face_strain") || !strcmp(key, ".first_side"));
+    return key && (!strcmp(key, ".size") || !strcmp(key, ".omitted") || !strcmp(key, ".forced") ||
+                   !strcmp(key, ".face_strain") || !strcmp(key, ".first_side"));
 }
 
 static size_t damage_below(fixture *f, const json_t *root, json_t *value, const char *way);

@@ -52,6 +52,25 @@ static void a_simplified_net_needs_its_memory(void **state) {
     starve(b);
 }
 
+static void a_net_with_a_hand_on_its_seams_needs_its_memory(void **state) {
+    static const char *const omit[] = {"porch"};
+    bench *b = *state;
+    char keep[128], cut[128];
+    const char *const files[] = {keep, cut};
+    bench_sample(b, "house.obj");
+    bench_write(b, "keep.txt", "4 36\n1 2\n");
+    strcpy(keep, bench_path(b, "keep.txt"));
+    bench_write(b, "cut.obj", "l 8 9 6\n");
+    strcpy(cut, bench_path(b, "cut.obj"));
+    bench_output(b, "net.json");
+    b->options.unfold.seconds = 0.01; /* the search takes no memory */
+    b->options.keep = files;
+    b->options.cut = files + 1;
+    b->options.omit = omit;
+    b->options.keep_count = b->options.cut_count = b->options.omit_count = 1;
+    starve(b);
+}
+
 static void a_panel_needs_its_memory(void **state) {
     bench *b = *state;
     char text[4096] = "";
@@ -81,6 +100,8 @@ int main(void) {
         cmocka_unit_test_setup_teardown(a_net_needs_its_memory, bench_setup, bench_teardown),
         cmocka_unit_test_setup_teardown(a_simplified_net_needs_its_memory, bench_setup,
                                         bench_teardown),
+        cmocka_unit_test_setup_teardown(a_net_with_a_hand_on_its_seams_needs_its_memory,
+                                        bench_setup, bench_teardown),
         cmocka_unit_test_setup_teardown(a_panel_needs_its_memory, bench_setup, bench_teardown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
