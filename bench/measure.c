@@ -40,11 +40,12 @@ static void finish_options(bool tabs, ktg_finish_options *options) {
  * one net serves for both. */
 static void unfold_options(const bench_settings *settings, int effort, bool tabs,
                            ktg_unfold_options *options) {
-    (void)tabs; /* the search does not know about them */
     memset(options, 0, sizeof *options);
     ktg_unfold_defaults(options);
     options->method = settings->genetic ? KTG_METHOD_GENETIC : KTG_METHOD_AUTO;
     options->effort = (ktg_effort)effort;
+    if (!tabs)
+        options->finish.tab_height_mm = 0;
 }
 
 /* ---- one net -------------------------------------------------------------------------------- */

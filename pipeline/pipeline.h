@@ -56,7 +56,7 @@ typedef struct ktg_pipeline_options {
     double size_mm;
     ktg_axis up; /* auto: z for STL, y otherwise */
 
-    ktg_unfold_options unfold; /* its sheet_aspect and rules are set by the run */
+    ktg_unfold_options unfold; /* its sheet, finish, scale and rules are set by the run */
     ktg_flatten_options flatten;
     ktg_finish_options finish;
     ktg_layout_options layout;

@@ -76,14 +76,6 @@ static ktg_status repair(ktg_context *context, const ktg_pipeline_options *optio
     return KTG_OK;
 }
 
-/* Width over height of what can be printed on a sheet; `otherwise` where the margins eat it (layout
- * says so later). */
-static double printable_aspect(const ktg_sheet_format *sheet, double otherwise) {
-    double width = sheet->width_mm - 2 * sheet->margin_mm;
-    double height = sheet->height_mm - 2 * sheet->margin_mm;
-    return width > 0 && height > 0 ? width / height : otherwise;
-}
-
 static ktg_status make_pieces(ktg_context *context, const ktg_pipeline_options *options,
                               const ktg_mesh *mesh, const ktg_hand *hand, const char *title,
                               ktg_pattern **pattern, ktg_pipeline_report *report) {
@@ -91,7 +83,8 @@ static ktg_status make_pieces(ktg_context *context, const ktg_pipeline_options *
     if (options->mode == KTG_PAPER) {
         ktg_progress(context, "unfold", 0, NULL);
         ktg_unfold_options unfold = options->unfold;
-        unfold.sheet_aspect = printable_aspect(&options->layout.sheet, unfold.sheet_aspect);
+        unfold.sheet = options->layout.sheet;
+        unfold.finish = options->finish;
         unfold.rules = hand->rules;
         unfold.rule_count = hand->rule_count;
         KTG_TRY(ktg_unfold(context, mesh, title, &unfold, pattern, &report->unfold));

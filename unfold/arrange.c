@@ -1,50 +1,63 @@
-/* unfold/arrange.c - annealing pieces without overlaps towards their sheets. */
+/* unfold/arrange.c - annealing pieces towards their sheets. */
 #include "unfold/arrange.h"
 #include "core/memory.h"
-
+#include "unfold/leaves.h"
 #include "unfold/net.h"
-#include "unfold/seam_tabs.h"
+#include "unfold/spread.h"
 #include "unfold/transplant.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-
-typedef struct anneal {
-    ktg_arrangement *a;
-    ktg_search *search;
-    double *area, *cost;
-    double total, temperature, threshold;
-    ktg_vec2 per;
-    int power; ktg_seam_tabs *tabs; ktg_saved saved; double lambda; uint64_t tabtried, tabacc;
-    uint32_t *degree, *chain; double *deficit; bool *border; float *dead; ktg_seam_tab_wish wish; double leaf;
-    uint64_t work; double mu; uint32_t conflicts;
-    uint64_t tried, passed, accepted;
-} anneal;
-
+#include <string.h>
 static double P(const char *n, double d) { const char *s = getenv(n); return s ? atof(s) : d; }
 
-static double raised(double x, int power) {
-    double x2 = x * x;
-    double x4 = x2 * x2;
-    if (power == 2) return x2;
-    if (power == 4) return x4;
-    if (power == 6) return x4 * x2;
-    if (power == 8) return x4 * x4;
-    if (power == 12) return x4 * x4 * x4;
-    x4 *= x4;
-    return x4 * x4;
-}
+/* Temperatures and prices are in parts of what one average face costs at the edge of its sheet. */
+typedef struct phase {
+    bool soft;            /* faces may overlap, at a price; tabs are only foreseen */
+    double hot, cold;     /* the temperature falls geometrically */
+    double tab_price;     /* of a seam without a tab */
+    double share;         /* of the work */
+} phase;
 
-static double cost_at(const anneal *s, uint32_t face, ktg_vec2 middle) {
-    return s->area[face] * (raised(middle.x * s->per.x, s->power) + raised(middle.y * s->per.y, s->power));
-}
+/* An overlapping pair of faces costs this many temperatures at the beginning and at the end. */
+#define CONFLICT_FIRST 0.5
+#define CONFLICT_LAST  5.0
 
-static ktg_vec2 middle_of(const ktg_arrangement *a, uint32_t face) {
-    const ktg_vec2 *p = a->corners + 3 * (size_t)face;
-    return (ktg_vec2){(p[0].x + p[1].x + p[2].x) / 3, (p[0].y + p[1].y + p[2].y) / 3};
-}
+/* Steps between two tidyings, and between two looks at the clock. */
+#define TIDY 65536
+#define LOOK 256
 
-static bool draw_graft(anneal *s, ktg_branch *branch, ktg_graft *graft) {
+/* One step in so many looks for a tab instead of a place. */
+#define TAB_STEPS 8
+
+/* Work of a step besides the faces it looks at, and of an attempt with tabs. */
+#define STEP_WORK    4
+#define ATTEMPT_WORK 30
+
+/* Steps that may end without a new least number of overlaps when those left are taken away. */
+#define PATIENCE 20000
+
+typedef struct anneal {
+    const ktg_arrange_goal *goal;
+    ktg_search *search;
+    ktg_arrangement *a;
+    ktg_spread spread;
+    ktg_seam_tabs *tabs;
+    ktg_leaves leaves;
+    ktg_saved saved;
+    bool soft;
+    double unit;           /* what an average face costs at the edge of its sheet */
+    double temperature, tab_price, conflict_price;
+    uint32_t conflicts;    /* overlapping pairs */
+    uint64_t work, until;  /* done, and where the phase ends */
+    double progress_from, progress_to;
+} anneal;
+
+/* ---- steps ---------------------------------------------------------------------------------- */
+
+/* A random branch and a random cut edge on its border. */
+static bool draw_graft(const anneal *s, ktg_branch *branch, ktg_graft *graft) {
     const ktg_arrangement *a = s->a;
     ktg_random *random = &s->search->random;
     uint32_t face = (uint32_t)ktg_random_below(random, a->dual->face_count);
@@ -62,263 +75,266 @@ static bool draw_graft(anneal *s, ktg_branch *branch, ktg_graft *graft) {
         if (ktg_branch_holds(a, branch, other / 3))
             continue;
         *graft = (ktg_graft){.edge = e, .own = own, .other = other};
+        ktg_graft_motion(a, graft);
         return true;
     }
     return false;
 }
 
-static bool spread_allows(anneal *s, const ktg_branch *b, const ktg_graft *g, double allowed, double *change) {
-    const ktg_arrangement *a = s->a;
-    double before = 0, after = 0;
-    for (uint32_t i = 0; i < b->count; i++)
-        before += s->cost[a->order[b->first + i]];
-    double most = before + allowed;
-    for (uint32_t i = 0; i < b->count; i++) {
-        uint32_t face = a->order[b->first + i];
-        after += cost_at(s, face, ktg_move2(g->motion, middle_of(a, face)));
-        if (after > most) { s->work += i; return false; }
-    }
-    s->work += b->count;
-    *change = after - before;
+/* The most a step may cost (Metropolis), drawn beforehand so that looking can end early. */
+static double draw_allowance(anneal *s) {
+    return -s->temperature * log(1 - ktg_random_unit(&s->search->random));
+}
+
+/* Whether the overlaps the graft would make are worth `spare`; counts them. */
+static bool overlaps_allow(anneal *s, const ktg_branch *branch, const ktg_graft *graft,
+                           double spare) {
+    uint32_t more = (uint32_t)fmin(1e6, spare / s->conflict_price);
+    uint32_t after = ktg_graft_conflicts(s->a, branch, graft, s->conflicts + more);
+    if (after > s->conflicts + more)
+        return false;
+    uint32_t before =
+        s->conflicts > 0 ? ktg_graft_conflicts(s->a, branch, NULL, s->conflicts) : 0;
+    if (after > before + more)
+        return false;
+    s->conflicts += after - before;
     return true;
 }
 
-/* leaves */
-static double leaf_price(const anneal *s, uint32_t v) {
-    if (s->degree[v] != 1 || s->border[v]) return 0;
-    uint32_t e = s->chain[v];
-    double length = s->a->dual->edges[e].length;
-    if (length < s->wish.edge) return 0;
-    double room = length * s->deficit[v] / (P("NEED", 1.3) * s->wish.least);
-    return room < 1 ? 1 - room : 0;
-}
-static double price4(const anneal *s, const uint32_t *p, const uint32_t *q) {
-    double sum = leaf_price(s, p[0]) + leaf_price(s, p[1]);
-    for (int i = 0; i < 2; i++) if (q[i] != p[0] && q[i] != p[1]) sum += leaf_price(s, q[i]);
-    return sum;
-}
-static void toggle(anneal *s, uint32_t e, uint32_t change) {
-    for (int i = 0; i < 2; i++) { uint32_t v = s->a->dual->edges[e].vertices[i]; s->degree[v] += change; s->chain[v] ^= e; }
-}
-static double leaf_change(anneal *s, uint32_t cut, uint32_t join) {
-    const uint32_t *p = s->a->dual->edges[cut].vertices, *q = s->a->dual->edges[join].vertices;
-    double before = price4(s, p, q);
-    toggle(s, cut, 1); toggle(s, join, -1u);
-    double after = price4(s, p, q);
-    return after - before + s->dead[cut] - s->dead[join];
-}
-
-static ktg_status try_move(ktg_context *context, anneal *s) {
-    ktg_branch b;
-    ktg_graft g;
-    double change;
-    s->work += 4;
-    s->tried++;
-    if (!draw_graft(s, &b, &g)) return KTG_OK;
-    ktg_graft_motion(s->a, &g);
-    double allowed = -s->temperature * log(1 - ktg_random_unit(&s->search->random));
-    double gain = s->tabs ? s->lambda * s->tabs->tabs[g.edge].price : 0;
-    uint32_t fold = s->a->parent_edge[b.top];
-    bool leaves = s->mu > 0 && s->degree;
-    if (leaves) { gain = -s->lambda * leaf_change(s, fold, g.edge); toggle(s, fold, -1u); toggle(s, g.edge, 1); }
-    double gain0 = gain; allowed += s->mu > 0 ? gain : 0; gain = s->mu > 0 ? 0 : gain;
-    if (!spread_allows(s, &b, &g, allowed + gain, &change)) return KTG_OK;
-    s->passed++;
-    if (s->mu == 0) {
-        if (ktg_graft_conflicts(s->a, &b, &g, 0) > 0) return KTG_OK;
-    } else {
-        uint32_t spare = (uint32_t)fmin(1e6, (allowed - change) / s->mu);
-        uint32_t most = s->conflicts + spare;
-        uint32_t after = ktg_graft_conflicts(s->a, &b, &g, most);
-        if (after > most) return KTG_OK;
-        uint32_t before = s->conflicts > 0 ? ktg_graft_conflicts(s->a, &b, NULL, 1000000) : 0;
-        if (after > before + spare) return KTG_OK;
-        s->conflicts += after - before;
-        if (leaves) { toggle(s, fold, 1); toggle(s, g.edge, -1u); s->leaf -= gain0; }
+/* Overlaps have a price; what tabs will cost is told by the cuts. */
+static ktg_status soft_step(ktg_context *context, anneal *s, ktg_branch *branch,
+                            const ktg_graft *graft) {
+    uint32_t fold = s->a->parent_edge[branch->top];
+    double allowed = draw_allowance(s), change = 0;
+    if (s->tabs)
+        allowed -= s->tab_price * ktg_leaves_exchange(&s->leaves, fold, graft->edge);
+    if (!ktg_spread_allows(&s->spread, branch, graft, allowed, &change, &s->work) ||
+        !overlaps_allow(s, branch, graft, allowed - change)) {
+        if (s->tabs)
+            (void)ktg_leaves_exchange(&s->leaves, graft->edge, fold);
+        return KTG_OK;
     }
-    if (s->tabs) {
-        double price = s->tabs->price;
-        s->tabtried++;
-        s->work += 10;
-        ktg_seam_tabs_begin(s->tabs);
-        KTG_TRY(ktg_seam_tabs_damage(context, s->tabs, &b, &g));
-        ktg_branch_save(s->a, &b, &s->saved);
-        KTG_TRY(ktg_arrangement_graft(context, s->a, &b, &g));
-        KTG_TRY(ktg_seam_tabs_follow(context, s->tabs, &b, g.edge, s->saved.fold));
-        if (change + s->lambda * (s->tabs->price - price) > allowed) {
-            KTG_TRY(ktg_arrangement_ungraft(context, s->a, &b, &s->saved));
-            KTG_TRY(ktg_seam_tabs_lay(context, s->tabs, &b));
-            return ktg_seam_tabs_undo(context, s->tabs);
-        }
-    } else
-    KTG_TRY(ktg_arrangement_graft(context, s->a, &b, &g));
-    s->accepted++;
-    for (uint32_t i = 0; i < b.count; i++) {
-        uint32_t face = s->a->order[b.first + i];
-        s->cost[face] = cost_at(s, face, middle_of(s->a, face));
-    }
-    s->total += change;
+    KTG_TRY(ktg_arrangement_graft(context, s->a, branch, graft));
+    ktg_spread_follow(&s->spread, branch);
     return KTG_OK;
 }
 
-static ktg_status try_tab(ktg_context *context, anneal *s) {
+/* Grafts and finds all tabs that the graft touches; takes all back where that costs too much. */
+static ktg_status attempt_with_tabs(ktg_context *context, anneal *s, ktg_branch *branch,
+                                    const ktg_graft *graft, double allowed) {
+    double price = s->tabs->price;
+    s->work += ATTEMPT_WORK;
+    ktg_seam_tabs_begin(s->tabs);
+    KTG_TRY(ktg_seam_tabs_damage(context, s->tabs, branch, graft));
+    ktg_branch_save(s->a, branch, &s->saved);
+    KTG_TRY(ktg_arrangement_graft(context, s->a, branch, graft));
+    KTG_TRY(ktg_seam_tabs_follow(context, s->tabs, branch, graft->edge, s->saved.fold));
+    if (s->tab_price * (s->tabs->price - price) > allowed) {
+        KTG_TRY(ktg_arrangement_ungraft(context, s->a, branch, &s->saved));
+        KTG_TRY(ktg_seam_tabs_lay(context, s->tabs, branch));
+        return ktg_seam_tabs_undo(context, s->tabs);
+    }
+    ktg_spread_follow(&s->spread, branch);
+    return KTG_OK;
+}
+
+static ktg_status hard_step(ktg_context *context, anneal *s, ktg_branch *branch,
+                            const ktg_graft *graft) {
+    double allowed = draw_allowance(s), change = 0;
+    double gain = s->tabs ? s->tab_price * s->tabs->tabs[graft->edge].price : 0;
+    if (!ktg_spread_allows(&s->spread, branch, graft, allowed + gain, &change, &s->work) ||
+        ktg_graft_conflicts(s->a, branch, graft, 0) > 0)
+        return KTG_OK;
+    if (s->tabs)
+        return attempt_with_tabs(context, s, branch, graft, allowed - change);
+    KTG_TRY(ktg_arrangement_graft(context, s->a, branch, graft));
+    ktg_spread_follow(&s->spread, branch);
+    return KTG_OK;
+}
+
+/* Another tab for a seam that has none, or not a full one. */
+static ktg_status tab_step(ktg_context *context, anneal *s) {
     static const double parts[] = {1, 0.7, 0.4};
     ktg_seam_tabs *t = s->tabs;
     ktg_random *random = &s->search->random;
-    if (t->unhappy_count == 0) return KTG_OK;
+    if (t->unhappy_count == 0)
+        return KTG_OK;
     uint32_t e = t->unhappy[ktg_random_below(random, t->unhappy_count)];
-    double price = t->price, allowed = -s->temperature * log(1 - ktg_random_unit(random));
-    s->work += 10;
+    double price = t->price, allowed = draw_allowance(s);
+    size_t way = ktg_random_below(random, 4);
+    s->work += ATTEMPT_WORK;
     ktg_seam_tabs_begin(t);
-    size_t mode = ktg_random_below(random, 4);
-    if (mode == 0) KTG_TRY(ktg_seam_tabs_choose(context, t, e));
-    else KTG_TRY(ktg_seam_tabs_push(context, t, e, (int)ktg_random_below(random, 2), parts[mode - 1]));
-    if (s->lambda * (t->price - price) > allowed) return ktg_seam_tabs_undo(context, t);
-    return KTG_OK;
+    if (way == 3)
+        KTG_TRY(ktg_seam_tabs_choose(context, t, e));
+    else
+        KTG_TRY(ktg_seam_tabs_push(context, t, e, (int)ktg_random_below(random, 2), parts[way]));
+    return s->tab_price * (t->price - price) > allowed ? ktg_seam_tabs_undo(context, t) : KTG_OK;
 }
 
-static void recost(anneal *s) {
-    s->total = 0;
-    for (uint32_t f = 0; f < s->a->dual->face_count; f++)
-        s->total += s->cost[f] = cost_at(s, f, middle_of(s->a, f));
+static ktg_status take_step(ktg_context *context, anneal *s, uint64_t step) {
+    ktg_branch branch;
+    ktg_graft graft;
+    s->work += STEP_WORK;
+    if (s->tabs && !s->soft && step % TAB_STEPS == 0)
+        return tab_step(context, s);
+    if (!draw_graft(s, &branch, &graft))
+        return KTG_OK;
+    return s->soft ? soft_step(context, s, &branch, &graft)
+                   : hard_step(context, s, &branch, &graft);
 }
 
-static ktg_status run_soft(ktg_context *context, anneal *s, uint64_t most_work) {
-    double n = s->a->dual->face_count;
-    double hot = P("SHOT", 20) / n, cold = P("SCOLD", 0.5) / n;
-    s->power = 4; recost(s);
-    for (uint64_t i = 0; s->work < most_work; i++) {
-        if (i % 256 == 0) {
-            double done = (double)s->work / (double)most_work;
+/* ---- phases --------------------------------------------------------------------------------- */
+
+/* Roots in the middle of their trees, and an end to rounding. */
+static ktg_status tidy(ktg_context *context, anneal *s, int power) {
+    ktg_branch all = {0, 0, s->a->dual->face_count};
+    ktg_arrangement_order(s->a);
+    KTG_TRY(ktg_arrangement_settle(context, s->a));
+    ktg_spread_recount(&s->spread, power);
+    return s->tabs && !s->soft ? ktg_seam_tabs_lay(context, s->tabs, &all) : KTG_OK;
+}
+
+static void tell(ktg_context *context, anneal *s, double done) {
+    char detail[64];
+    double part = s->progress_from + (s->progress_to - s->progress_from) * done;
+    if (s->soft)
+        snprintf(detail, sizeof detail, "finding a shape for the sheet");
+    else if (s->tabs)
+        snprintf(detail, sizeof detail, "%u seams want a better tab", s->tabs->unhappy_count);
+    else
+        snprintf(detail, sizeof detail, "filling the sheet");
+    ktg_search_progress(context, s->search, part * s->a->dual->face_count, detail);
+}
+
+/* The spread's power rises while the temperature falls. */
+static int power_at(const phase *p, double done) {
+    return p->soft || done < 0.3 ? 4 : done < 0.6 ? 8 : 16;
+}
+
+static ktg_status run_phase(ktg_context *context, anneal *s, const phase *p) {
+    uint64_t begin = s->work, end = begin + (uint64_t)(p->share * (double)s->goal->work);
+    double hot = p->hot * s->unit, cold = p->cold * s->unit;
+    s->soft = p->soft;
+    s->tab_price = p->tab_price * s->unit;
+    KTG_TRY(tidy(context, s, 4));
+    for (uint64_t step = 1; s->work < end; step++) {
+        if (step % LOOK == 1) {
+            double done = (double)(s->work - begin) / (double)(end - begin);
             s->temperature = hot * pow(cold / hot, done);
-            s->mu = s->temperature * (P("MU0",0.5) + (P("MU1",5) - P("MU0",0.5)) * done);
-            if (!ktg_search_goes_on(context, s->search)) break;
+            s->conflict_price =
+                s->temperature * (CONFLICT_FIRST + (CONFLICT_LAST - CONFLICT_FIRST) * done);
+            if (power_at(p, done) != s->spread.power)
+                ktg_spread_recount(&s->spread, power_at(p, done));
+            tell(context, s, done);
+            if (!ktg_search_goes_on(context, s->search))
+                break;
         }
-        if (i % 65536 == 65535) {
-            ktg_arrangement_order(s->a);
-            KTG_TRY(ktg_arrangement_settle(context, s->a));
-            recost(s);
-        }
-        KTG_TRY(try_move(context, s));
+        if (step % TIDY == 0)
+            KTG_TRY(tidy(context, s, s->spread.power));
+        KTG_TRY(take_step(context, s, step));
     }
-    fprintf(stderr, "soft: tried %g passed %g accepted %g total %g conflicts %u\n", (double)s->tried, (double)s->passed, (double)s->accepted, s->total, s->conflicts);
-    s->work = s->tried = s->passed = s->accepted = 0; s->mu = 0;
     return KTG_OK;
 }
 
-static ktg_status run(ktg_context *context, anneal *s, uint64_t most_work) {
-    double n = s->a->dual->face_count;
-    double hot = P("HOT", 2) / n, cold = P("COLD", 0.02) / n;
-    for (uint64_t i = 0; s->work < most_work; i++) {
-        if (i % 256 == 0) {
-            double done = (double)s->work / (double)most_work;
-            s->temperature = hot * pow(cold / hot, done);
-            int power = done < P("S1", 2) ? (int)P("POW",4) : done < P("S2", 2) ? (int)P("POW2",8) : 16;
-            if (power != s->power) { s->power = power; recost(s); }
-            if (!ktg_search_goes_on(context, s->search)) break;
-        }
-        if (i % 65536 == 65535) {
-            ktg_arrangement_order(s->a);
-            KTG_TRY(ktg_arrangement_settle(context, s->a));
-            recost(s);
-            if (s->tabs) { ktg_branch all = {0, 0, (uint32_t)n}; KTG_TRY(ktg_seam_tabs_lay(context, s->tabs, &all)); }
-        }
-        if (s->tabs && i % 8 == 0) KTG_TRY(try_tab(context, s)); else
-        KTG_TRY(try_move(context, s));
-    }
-    if (s->tabs) { int none = 0, red = 0, full = 0; for (uint32_t e = 0; e < s->a->dual->edge_count; e++) { double p = s->tabs->tabs[e].price; if (p >= 1) none++; else if (p > 0) red++; else if (!s->a->folded[e]) full++; }
-      int un = 0, unall = 0, oneun = 0; for (uint32_t e = 0; e < s->a->dual->edge_count; e++) { const uint32_t *h = s->a->dual->edges[e].halfedge; bool dead = !s->tabs->slots[h[0]].usable && !s->tabs->slots[h[1]].usable && s->a->dual->edges[e].length >= s->tabs->wish.edge; unall += dead; if (s->tabs->tabs[e].price >= 1) { un += dead; oneun += !s->tabs->slots[h[0]].usable != !s->tabs->slots[h[1]].usable; 
-        double la = s->a->dual->edges[e].length / s->tabs->wish.least * 2;
-        ktg_trapezoid sh; ktg_vec2 o[2]; double op[2]; for (int k = 0; k < 2; k++) { const ktg_arrangement *a = s->a; uint32_t hh = h[k], hn = hh % 3 == 2 ? hh - 2 : hh + 1; o[k] = ktg_sub2(a->corners[hn], a->corners[hh]); (void)op; (void)sh; }
-        double ang = atan2(ktg_cross2(o[0], ktg_mul2(o[1], -1)), ktg_dot2(o[0], ktg_mul2(o[1], -1))) * 57.3;
-        fprintf(stderr, "  none: len %.1f mm dead %d usable %d %d angle %.1f gap %.1f mm\n", la, dead, s->tabs->slots[h[0]].usable, s->tabs->slots[h[1]].usable, ang, ktg_length2(ktg_sub2(ktg_mul2(ktg_add2(s->a->corners[h[0]], s->a->corners[h[0] % 3 == 2 ? h[0] - 2 : h[0] + 1]), .5), ktg_mul2(ktg_add2(s->a->corners[h[1]], s->a->corners[h[1] % 3 == 2 ? h[1] - 2 : h[1] + 1]), .5))) / s->tabs->wish.least * 2); } }
-      fprintf(stderr, "dead %d of them none %d, one side dead none %d\n", unall, un, oneun);
-      fprintf(stderr, "tabs price %g none %d reduced %d full(or short) %d tried %g\n", s->tabs->price, none, red, full, (double)s->tabtried); }
-    fprintf(stderr, "tried %g passed %g accepted %g total %g work %g\n", (double)s->tried, (double)s->passed, (double)s->accepted, s->total, (double)s->work);
-    return KTG_OK;
+/* ---- the whole ------------------------------------------------------------------------------ */
+
+static ktg_status start(ktg_context *context, anneal *s, const ktg_dual *dual, const bool *folded) {
+    uint32_t n = dual->face_count;
+    ktg_vec2 region = ktg_mul2(s->goal->half, 1.4);
+    KTG_TRY(ktg_arrangement_new(context, dual, folded, region,
+                                n + dual->edge_count + dual->forced_count, &s->a));
+    KTG_TRY(ktg_spread_new(context, s->a, s->goal->half, &s->spread));
+    KTG_TRY(ktg_spread_pose(context, s->a, &s->spread));
+    s->unit = 1.0 / n;
+    if (!s->goal->tabs)
+        return KTG_OK;
+    s->saved = (ktg_saved){.faces = ktg_new(context, n, uint32_t),
+                           .corners = ktg_new(context, 3 * (size_t)n, ktg_vec2),
+                           .turns = ktg_new(context, n, ktg_vec2)};
+    if (!s->saved.faces || !s->saved.corners || !s->saved.turns)
+        return KTG_MEMORY;
+    KTG_TRY(ktg_seam_tabs_new(context, s->a, s->goal->tabs, &s->tabs));
+    return ktg_leaves_new(context, s->a, s->tabs, &s->leaves);
 }
 
-ktg_status ktg_arrange_run(ktg_context *context, const ktg_dual *dual, bool *folded, double aspect, uint64_t work, ktg_search *search) {
-    size_t n = dual->face_count;
-    anneal s = {.search = search, .power = (int)P("POW", 4)};
-    double all = 0;
-    s.area = ktg_new(context, n, double);
-    s.cost = ktg_new(context, n, double);
-    for (uint32_t f = 0; f < n; f++) {
-        const ktg_vec2 *p = dual->flat + 3 * (size_t)f;
-        s.area[f] = 0.5 * ktg_cross2(ktg_sub2(p[1], p[0]), ktg_sub2(p[2], p[0]));
-        all += s.area[f];
-    }
-    double fill = P("FILL", 0.6);
-    ktg_vec2 half = {0.5 * sqrt(all / fill * aspect), 0.5 * sqrt(all / fill / aspect)};
-    s.per = (ktg_vec2){1 / half.x, 1 / half.y};
-    for (uint32_t f = 0; f < n; f++) s.area[f] /= all;
-    ktg_status status = ktg_arrangement_new(context, dual, folded, ktg_mul2(half, 1.4), (uint32_t)n + dual->edge_count, &s.a);
-    if (status == KTG_OK) {
-        recost(&s);
-        double mm = sqrt(P("TFILL", 0.42) * 190 * 277 / all);
-        s.lambda = P("SLAM", 2) / (double)n;
-        s.wish = (ktg_seam_tab_wish){5 / mm, 2 / mm, 4 / mm, 0.3 / mm, 0.15 / mm, 1 / tan(50 * KTG_PI / 180)};
-        if (P("TABS", 0) > 0 && P("SLAM", 2) > 0) {
-            uint32_t nv = dual->vertex_count;
-            s.degree = ktg_new(context, nv, uint32_t); s.chain = ktg_new(context, nv, uint32_t); s.deficit = ktg_new(context, nv, double); s.border = ktg_new(context, nv, bool); s.dead = ktg_new(context, dual->edge_count, float);
-            for (uint32_t v = 0; v < nv; v++) s.deficit[v] = 2 * KTG_PI;
-            for (uint32_t h = 0; h < 3 * n; h++) {
-                uint32_t prev = h % 3 == 0 ? h + 2 : h - 1;
-                ktg_vec2 u = dual->flat_vectors[h], w = ktg_mul2(dual->flat_vectors[prev], -1);
-                s.deficit[dual->faces[h]] -= fabs(atan2(ktg_cross2(u, w), ktg_dot2(u, w)));
-                if (dual->halfedge_edge[h] == KTG_NONE) s.border[dual->faces[h]] = s.border[dual->faces[h % 3 == 2 ? h - 2 : h + 1]] = true;
-            }
-            status = ktg_seam_tabs_new(context, s.a, &s.wish, &s.tabs);
-            for (uint32_t e = 0; e < dual->edge_count; e++) { const uint32_t *h = dual->edges[e].halfedge; s.dead[e] = dual->edges[e].length < s.wish.edge ? 0 : !s.tabs->slots[h[0]].usable && !s.tabs->slots[h[1]].usable ? 1 : s.tabs->slots[h[0]].usable && s.tabs->slots[h[1]].usable ? 0 : 0.2; }
-            ktg_seam_tabs_free(&s.tabs);
-            for (uint32_t e = 0; e < dual->edge_count; e++) ktg_cells_take_out(&s.a->cells, n + e);
-            for (uint32_t e = 0; e < dual->edge_count; e++) if (!s.a->folded[e]) toggle(&s, e, 1);
-            double sum = 0; for (uint32_t v = 0; v < nv; v++) sum += leaf_price(&s, v);
-            double dd = 0; for (uint32_t e = 0; e < dual->edge_count; e++) if (!s.a->folded[e]) dd += s.dead[e];
-            fprintf(stderr, "leaf price %g dead %g\n", sum, dd);
-        }
-        double soft = P("SOFT", 0);
-        if (soft > 0) {
-            status = run_soft(context, &s, (uint64_t)(work * soft));
-            for (uint32_t e = 0; e < dual->edge_count; e++) folded[e] = s.a->folded[e];
-            if (s.conflicts > 0) {
-            uint32_t root = s.a->order[0];
-            ktg_vec2 c0 = s.a->corners[3*root], c1 = s.a->corners[3*root+1];
-            ktg_net *net = NULL;
-            status = ktg_net_new(context, dual, folded, &net);
-            if (status == KTG_OK) status = ktg_transplant_run(context, net, 20000, search);
-            for (uint32_t e = 0; e < dual->edge_count; e++) folded[e] = net->folded[e];
-            fprintf(stderr, "left %zu\n", net->live_count);
-            ktg_net_free(&net);
-            ktg_arrangement_free(&s.a);
-            status = ktg_arrangement_new(context, dual, folded, ktg_mul2(half, 1.4), (uint32_t)n + dual->edge_count, &s.a);
-            status = ktg_arrangement_move(context, s.a, 0, ktg_motion2_between(s.a->corners[3*root], s.a->corners[3*root+1], c0, c1));
-            recost(&s);
-            }
-            if (s.degree) { double sum = 0; for (uint32_t v = 0; v < dual->vertex_count; v++) sum += leaf_price(&s, v);
-            double dd = 0; for (uint32_t e = 0; e < dual->edge_count; e++) if (!s.a->folded[e]) dd += s.dead[e];
-            fprintf(stderr, "leaf price %g dead %g\n", sum, dd); }
-            fprintf(stderr, "total %g\n", s.total);
-        }
-        if (P("TABS", 0) > 0) {
-            double mm = sqrt(P("TFILL", 0.42) * 190 * 277 / all);
-            s.lambda = P("LAM", 2) / (double)n;
-            ktg_seam_tab_wish w = {5 / mm, 2 / mm, 4 / mm, 0.3 / mm, 0.15 / mm, 1 / tan(50 * KTG_PI / 180)};
-            s.saved = (ktg_saved){.faces = ktg_new(context, n, uint32_t), .corners = ktg_new(context, 3 * n, ktg_vec2), .turns = ktg_new(context, n, ktg_vec2)};
-            status = ktg_seam_tabs_new(context, s.a, &w, &s.tabs);
-            fprintf(stderr, "tabs start %g\n", s.tabs->price);
-        }
-        status = run(context, &s, (uint64_t)(work * P("WORK", 1)));
-    }
+static void finish(anneal *s) {
+    ktg_leaves_free(&s->leaves);
+    ktg_seam_tabs_free(&s->tabs);
+    ktg_spread_free(&s->spread);
+    ktg_arrangement_free(&s->a);
+    ktg_free(s->saved.faces);
+    ktg_free(s->saved.corners);
+    ktg_free(s->saved.turns);
+    s->saved = (ktg_saved){0};
+}
+
+/* Takes the last overlaps of a single piece away by transplants, and turns it back to where it
+ * lay. False when some are left. */
+static ktg_status resolve(ktg_context *context, anneal *s, const ktg_dual *dual, bool *folded,
+                          bool *resolved) {
+    ktg_net *net = NULL;
+    uint32_t root = 3 * s->a->order[0];
+    ktg_vec2 from = s->a->corners[root], to = s->a->corners[root + 1];
+    *resolved = false;
+    KTG_TRY(ktg_net_new(context, dual, s->a->folded, &net));
+    ktg_status status = ktg_transplant_run(context, net, PATIENCE, s->search);
     if (status == KTG_OK)
-        for (uint32_t e = 0; e < dual->edge_count; e++) folded[e] = s.a->folded[e];
-    ktg_seam_tabs_free(&s.tabs);
-    ktg_free(s.saved.faces);
-    ktg_free(s.saved.corners);
-    ktg_free(s.saved.turns);
-    ktg_arrangement_free(&s.a);
-    ktg_free(s.area);
-    ktg_free(s.cost);
+        status = ktg_net_refresh(context, net);
+    if (status == KTG_OK && net->live_count == 0) {
+        *resolved = true;
+        memcpy(folded, net->folded, dual->edge_count * sizeof *folded);
+    }
+    ktg_net_free(&net);
+    if (status != KTG_OK || !*resolved)
+        return status;
+    finish(s);
+    KTG_TRY(start(context, s, dual, folded));
+    return ktg_arrangement_move(
+        context, s->a, 0,
+        ktg_motion2_between(s->a->corners[root], s->a->corners[root + 1], from, to));
+}
+
+static ktg_status soften(ktg_context *context, anneal *s, const ktg_dual *dual, const phase *p,
+                         bool *folded) {
+    bool resolved = true;
+    KTG_TRY(run_phase(context, s, p));
+    fprintf(stderr, "soft spread %g conflicts %u leaves %g\n", s->spread.total, s->conflicts, s->leaves.price);
+    if (s->conflicts > 0 && s->a->piece_count == 1)
+        KTG_TRY(resolve(context, s, dual, folded, &resolved));
+    else if (s->conflicts > 0)
+        resolved = false;
+    s->conflicts = 0;
+    if (resolved)
+        return KTG_OK;
+    uint64_t work = s->work; /* back to the beginning */
+    finish(s);
+    KTG_TRY(start(context, s, dual, folded));
+    s->work = work;
+    return KTG_OK;
+}
+
+static ktg_status anneal_all(ktg_context *context, anneal *s, const ktg_dual *dual, bool *folded) {
+    phase soft = {true, P("SHOT", 20), P("SCOLD", 0.5), P("SLAM", 10), P("SOFT", 0.3)};
+    phase hard = {false, P("HOT", 2), P("COLD", 0.2), P("LAM", 6), P("HARD", 0.7)};
+    KTG_TRY(start(context, s, dual, folded));
+    s->progress_to = soft.share;
+    KTG_TRY(soften(context, s, dual, &soft, folded));
+    if (s->tabs) {
+        KTG_TRY(ktg_seam_tabs_renew(context, s->tabs, s->goal->tabs));
+        fprintf(stderr, "tabs start %g\n", s->tabs->price);
+    }
+    s->progress_from = soft.share;
+    s->progress_to = 1;
+    KTG_TRY(run_phase(context, s, &hard));
+    if (s->tabs) fprintf(stderr, "tabs end %g spread %g\n", s->tabs->price, s->spread.total);
+    memcpy(folded, s->a->folded, dual->edge_count * sizeof *folded);
+    return KTG_OK;
+}
+
+ktg_status ktg_arrange(ktg_context *context, const ktg_dual *dual, const ktg_arrange_goal *goal,
+                       ktg_search *search, bool *folded) {
+    anneal s = {.goal = goal, .search = search};
+    ktg_status status = anneal_all(context, &s, dual, folded);
+    finish(&s);
     return status;
 }

@@ -56,16 +56,22 @@ void ktg_arrangement_order(ktg_arrangement *a) {
     uint32_t count = 0;
     for (uint32_t f = 0; f < a->dual->face_count; f++)
         a->place[f] = KTG_NONE;
-    a->piece_count = 0;
     for (uint32_t f = 0; f < a->dual->face_count; f++) {
         if (a->place[f] != KTG_NONE)
             continue;
-        uint32_t first = count;
-        list_tree(a, f, KTG_NONE, first);
-        count += list_tree(a, middle_of(a, f), KTG_NONE, first);
-        for (uint32_t i = first; i < count; i++)
-            a->piece[a->order[i]] = a->piece_count;
-        a->piece_count++;
+        list_tree(a, f, KTG_NONE, count);
+        count += list_tree(a, middle_of(a, f), KTG_NONE, count);
+    }
+}
+
+void ktg_arrangement_number(ktg_arrangement *a) {
+    uint32_t last = KTG_NONE;
+    a->piece_count = 0;
+    for (uint32_t i = 0; i < a->dual->face_count; i++) {
+        uint32_t face = a->order[i];
+        if (a->parent_edge[face] == KTG_NONE)
+            last = a->piece_count++;
+        a->piece[face] = last;
     }
 }
 

@@ -155,6 +155,7 @@ static ktg_status fill(ktg_context *context, ktg_arrangement *a, ktg_vec2 half,
                        uint32_t item_count) {
     KTG_TRY(allocate(context, a));
     ktg_arrangement_order(a);
+    ktg_arrangement_number(a);
     KTG_TRY(ktg_cells_new(context, item_count, a->piece_count, half, mean_diameter(a->dual),
                           &a->cells));
     return lay_pieces(context, a);
@@ -183,6 +184,14 @@ void ktg_graft_motion(const ktg_arrangement *a, ktg_graft *graft) {
                               a->corners[next_corner(other)], a->corners[other]);
 }
 
+/* True for the first of the cells of a range that an item lies in: where it counts. */
+static bool is_first(const ktg_arrangement *a, uint32_t item, const ktg_cell_range *range,
+                     uint32_t x, uint32_t y) {
+    ktg_cell_range own = a->cells.ranges[item];
+    return x == (own.x0 > range->x0 ? own.x0 : range->x0) &&
+           y == (own.y0 > range->y0 ? own.y0 : range->y0);
+}
+
 /* How many faces outside the branch its face would overlap, at most `most` + 1. */
 static uint32_t face_conflicts(const ktg_arrangement *a, const ktg_branch *branch, uint32_t face,
                                uint32_t sheet, const ktg_motion2 *motion, uint32_t most) {
@@ -197,11 +206,8 @@ static uint32_t face_conflicts(const ktg_arrangement *a, const ktg_branch *branc
             const ktg_cell *cell = ktg_cells_at(&a->cells, sheet, x, y);
             for (size_t i = 0; i < cell->count; i++) {
                 uint32_t g = cell->items[i];
-                if (!ktg_flat_boxes_meet(&box, &a->cells.boxes[g]) || g >= a->dual->face_count ||
-                    ktg_branch_holds(a, branch, g))
-                    continue;
-                ktg_cell_range s = a->cells.ranges[g];
-                if (x != (s.x0 > r.x0 ? s.x0 : r.x0) || y != (s.y0 > r.y0 ? s.y0 : r.y0))
+                if (g >= a->dual->face_count || !ktg_flat_boxes_meet(&box, &a->cells.boxes[g]) ||
+                    ktg_branch_holds(a, branch, g) || (most > 0 && !is_first(a, g, &r, x, y)))
                     continue;
                 count += ktg_triangles_overlap(moved, a->dual->lengths + 3 * (size_t)face,
                                           a->corners + 3 * (size_t)g,

@@ -101,8 +101,10 @@ KTG_NODISCARD ktg_status ktg_arrangement_move(ktg_context *context, ktg_arrangem
                                               uint32_t piece, ktg_motion2 motion);
 
 /* The tree alone (arrange_tree.c): gives every tree a root from which no subtree holds more than
- * half of it, and numbers everything anew. */
+ * half of it, and lists everything anew. */
 void ktg_arrangement_order(ktg_arrangement *a);
+/* Numbers the pieces by the order of their trees. */
+void ktg_arrangement_number(ktg_arrangement *a);
 /* Hangs the branch, whose face `own` goes below the face `other`, elsewhere; updates parents,
  * order, places, sizes, pieces. */
 void ktg_arrangement_rehang(ktg_arrangement *a, ktg_branch *branch, uint32_t edge, uint32_t own,

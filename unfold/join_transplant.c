@@ -1,10 +1,11 @@
 /* unfold/join_transplant.c - one piece by transplants, with fresh starts, or few pieces. */
 #include "core/clock.h"
 #include "core/memory.h"
-#include "unfold/compact.h"
 #include "unfold/arrange.h"
+#include "unfold/goal.h"
 #include "unfold/join.h"
 #include "unfold/split.h"
+#include "unfold/spread.h"
 #include "unfold/transplant.h"
 
 #include <string.h>
@@ -68,10 +69,14 @@ static ktg_status make_compact(ktg_context *context, ktg_net *net,
                                const ktg_unfold_options *options, ktg_search *search,
                                bool *joined) {
     const ktg_dual *dual = net->dual;
+    ktg_seam_tab_wish wish;
+    double part = options->mm_per_unit > 0 ? 1 : ktg_dual_area(dual) / search->area_all;
+    ktg_arrange_goal goal = {.half = ktg_goal_half(options, search->mm, part),
+                             .tabs = ktg_goal_tabs(options, search->mm, &wish) ? &wish : NULL,
+                             .work = work_for(dual, options, search)};
     if (dual->edge_count == 0)
         return KTG_OK;
-    KTG_TRY(ktg_arrange_run(context, dual, net->folded, options->sheet_aspect, work_for(dual, options, search),
-                            search));
+    KTG_TRY(ktg_arrange(context, dual, &goal, search, net->folded));
     KTG_TRY(ktg_net_refresh(context, net));
     if (net->live_count == 0)
         memcpy(joined, net->folded, dual->edge_count * sizeof *joined);

@@ -8,6 +8,7 @@ void ktg_seam_tabs_free(ktg_seam_tabs **tabs) {
     if (!tabs || !*tabs)
         return;
     ktg_seam_tabs *t = *tabs;
+    ktg_free(t->edge_of);
     ktg_free(t->slots);
     ktg_free(t->tabs);
     ktg_free(t->unhappy);
@@ -73,7 +74,7 @@ static void shape_slot(ktg_seam_tabs *t, uint32_t own, uint32_t mate) {
 
 static void shape_slots(ktg_seam_tabs *t) {
     const ktg_dual *dual = t->a->dual;
-    for (uint32_t e = 0; e < dual->edge_count; e++) {
+    for (uint32_t e = 0; e < t->edge_count; e++) {
         const uint32_t *pair = dual->edges[e].halfedge;
         shape_slot(t, pair[0], pair[1]);
         shape_slot(t, pair[1], pair[0]);
@@ -199,7 +200,7 @@ static ktg_flat_box box_around(const ktg_trapezoid *shape, const frame *outer, d
 static bool neighbour_under(const ktg_seam_tabs *t, const frame *under, uint32_t side,
                             obstacle *o) {
     const ktg_dual *dual = t->a->dual;
-    uint32_t e = dual->halfedge_edge[side];
+    uint32_t e = t->edge_of[side];
     if (e == KTG_NONE || t->tabs[e].side < 0 ||
         dual->edges[e].halfedge[t->tabs[e].side] == side) /* that one is beside the mate */
         return false;
@@ -226,7 +227,7 @@ static bool cut_beside(const ktg_seam_tabs *t, uint32_t own, bool by_tabs,
     const ktg_arrangement *a = t->a;
     frame outer = outer_frame(a, own);
     uint32_t sheet = a->piece[own / 3], faces = a->dual->face_count;
-    uint32_t skip = item_of(t, a->dual->halfedge_edge[own]);
+    uint32_t skip = item_of(t, t->edge_of[own]);
     ktg_flat_box box = box_around(shape, &outer, t->wish.air);
     ktg_cell_range r = ktg_cells_range(&a->cells, &box);
     for (uint32_t y = r.y0; y <= r.y1; y++)
@@ -288,7 +289,7 @@ static ktg_status choose_damaged(ktg_context *context, ktg_seam_tabs *t) {
 
 ktg_status ktg_seam_tabs_renew(ktg_context *context, ktg_seam_tabs *t,
                                const ktg_seam_tab_wish *wish) {
-    uint32_t count = t->a->dual->edge_count;
+    uint32_t count = t->edge_count;
     t->wish = *wish;
     shape_slots(t);
     ktg_seam_tabs_begin(t);
@@ -300,29 +301,39 @@ ktg_status ktg_seam_tabs_renew(ktg_context *context, ktg_seam_tabs *t,
     return KTG_OK;
 }
 
+/* The edges of half-edges, forced cuts among them. */
+static void list_edges(ktg_seam_tabs *t) {
+    const ktg_dual *dual = t->a->dual;
+    memset(t->edge_of, 0xff, 3 * (size_t)dual->face_count * sizeof *t->edge_of);
+    for (uint32_t e = 0; e < t->edge_count; e++) {
+        t->edge_of[dual->edges[e].halfedge[0]] = t->edge_of[dual->edges[e].halfedge[1]] = e;
+        t->unhappy_place[e] = KTG_NONE;
+        t->tabs[e].side = -1;
+    }
+}
+
 ktg_status ktg_seam_tabs_new(ktg_context *context, ktg_arrangement *a,
                              const ktg_seam_tab_wish *wish, ktg_seam_tabs **tabs) {
-    size_t faces = a->dual->face_count, edges = a->dual->edge_count;
     ktg_seam_tabs *t = *tabs = ktg_new(context, 1, ktg_seam_tabs);
     if (!t)
         return KTG_MEMORY;
+    size_t halfedges = 3 * (size_t)a->dual->face_count;
+    size_t edges = t->edge_count = a->dual->edge_count + a->dual->forced_count;
     t->a = a;
-    t->slots = ktg_new(context, 3 * faces, ktg_tab_slot_shape);
+    t->wish = *wish;
+    t->edge_of = ktg_new(context, halfedges, uint32_t);
+    t->slots = ktg_new(context, halfedges, ktg_tab_slot_shape);
     t->tabs = ktg_new(context, edges, ktg_seam_tab);
     t->unhappy = ktg_new(context, edges, uint32_t);
     t->unhappy_place = ktg_new(context, edges, uint32_t);
     t->stamp = ktg_new(context, edges, uint32_t);
-    ktg_status status = KTG_MEMORY;
-    if (t->slots && t->tabs && t->unhappy && t->unhappy_place && t->stamp) {
-        for (size_t e = 0; e < edges; e++) {
-            t->unhappy_place[e] = KTG_NONE;
-            t->tabs[e].side = -1;
-        }
-        status = ktg_seam_tabs_renew(context, t, wish);
-    }
-    if (status != KTG_OK)
+    if (!t->edge_of || !t->slots || !t->tabs || !t->unhappy || !t->unhappy_place || !t->stamp) {
         ktg_seam_tabs_free(tabs);
-    return status;
+        return KTG_MEMORY;
+    }
+    list_edges(t);
+    shape_slots(t);
+    return KTG_OK;
 }
 
 /* ---- attempts ------------------------------------------------------------------------------- */
@@ -330,7 +341,7 @@ ktg_status ktg_seam_tabs_new(ktg_context *context, ktg_arrangement *a,
 void ktg_seam_tabs_begin(ktg_seam_tabs *t) {
     t->before_count = t->damaged_count = 0;
     if (++t->attempt == 0) {
-        memset(t->stamp, 0, t->a->dual->edge_count * sizeof *t->stamp);
+        memset(t->stamp, 0, t->edge_count * sizeof *t->stamp);
         t->attempt = 1;
     }
 }
@@ -408,7 +419,7 @@ ktg_status ktg_seam_tabs_lay(ktg_context *context, ktg_seam_tabs *t, const ktg_b
     const ktg_arrangement *a = t->a;
     for (uint32_t i = 0; i < branch->count; i++)
         for (uint32_t h = 3 * a->order[branch->first + i], last = h + 3; h < last; h++) {
-            uint32_t e = a->dual->halfedge_edge[h];
+            uint32_t e = t->edge_of[h];
             if (e != KTG_NONE && t->tabs[e].side >= 0 &&
                 a->dual->edges[e].halfedge[t->tabs[e].side] == h)
                 KTG_TRY(lay_tab(context, t, e));
@@ -423,7 +434,7 @@ ktg_status ktg_seam_tabs_follow(ktg_context *context, ktg_seam_tabs *t, const kt
     KTG_TRY(ktg_seam_tabs_lay(context, t, branch));
     for (uint32_t i = 0; i < branch->count; i++)
         for (uint32_t h = 3 * a->order[branch->first + i], last = h + 3; h < last; h++) {
-            uint32_t e = a->dual->halfedge_edge[h];
+            uint32_t e = t->edge_of[h];
             if (e != KTG_NONE && t->tabs[e].side >= 0 &&
                 a->dual->edges[e].halfedge[t->tabs[e].side] == h && lies_badly(t, branch, e))
                 KTG_TRY(damage(context, t, e));
@@ -449,7 +460,7 @@ ktg_status ktg_seam_tabs_undo(ktg_context *context, ktg_seam_tabs *t) {
 static ktg_status damage_beside(ktg_context *context, ktg_seam_tabs *t, uint32_t own,
                                 const ktg_trapezoid *shape) {
     const ktg_arrangement *a = t->a;
-    uint32_t faces = a->dual->face_count, e = a->dual->halfedge_edge[own];
+    uint32_t faces = a->dual->face_count, e = t->edge_of[own];
     frame outer = outer_frame(a, own);
     ktg_flat_box box = box_around(shape, &outer, t->wish.air);
     ktg_cell_range r = ktg_cells_range(&a->cells, &box);
@@ -477,7 +488,7 @@ static ktg_status damage_under(ktg_context *context, ktg_seam_tabs *t, uint32_t 
     obstacle o;
     for (uint32_t side = next_corner(mate); side != mate; side = next_corner(side))
         if (neighbour_under(t, &under, side, &o) && is_hit(t, shape, &o))
-            KTG_TRY(damage(context, t, t->a->dual->halfedge_edge[side]));
+            KTG_TRY(damage(context, t, t->edge_of[side]));
     return KTG_OK;
 }
 

@@ -41,6 +41,8 @@ typedef struct ktg_tab_slot_shape {
 typedef struct ktg_seam_tabs {
     ktg_arrangement *a;
     ktg_seam_tab_wish wish;
+    uint32_t edge_count;       /* the dual's edges and its forced cuts */
+    uint32_t *edge_of;         /* 3 face_count: edge of a half-edge, KTG_NONE: no seam for tabs */
     ktg_tab_slot_shape *slots; /* 3 face_count: by the half-edge that carries */
     ktg_seam_tab *tabs;        /* edge_count; folds have none and no price */
     double price;              /* of all */
@@ -58,12 +60,14 @@ typedef struct ktg_seam_tabs {
     size_t damaged_count, damaged_capacity;
 } ktg_seam_tabs;
 
-/* All cut edges get the best tab there is room for, one after the other. */
+/* Slots are known, but there are no tabs yet: ktg_seam_tabs_renew gives them. The arrangement's
+ * cells must have room for face_count + edge_count + forced_count items. */
 KTG_NODISCARD ktg_status ktg_seam_tabs_new(ktg_context *context, ktg_arrangement *a,
                                            const ktg_seam_tab_wish *wish, ktg_seam_tabs **tabs);
 void ktg_seam_tabs_free(ktg_seam_tabs **tabs);
 
-/* Takes all tabs away and gives them anew, to another wish. */
+/* Takes all tabs away and gives every cut edge the best tab there is room for, one after the
+ * other, to the wish. */
 KTG_NODISCARD ktg_status ktg_seam_tabs_renew(ktg_context *context, ktg_seam_tabs *t,
                                              const ktg_seam_tab_wish *wish);
 

@@ -5,6 +5,7 @@
 #include "core/vec.h"
 #include "unfold/check.h"
 #include "unfold/edges.h"
+#include "unfold/goal.h"
 #include "unfold/join.h"
 #include "unfold/pieces.h"
 #include "unfold/rules.h"
@@ -14,13 +15,14 @@
 void ktg_unfold_defaults(ktg_unfold_options *options) {
     *options = (ktg_unfold_options){.method = KTG_METHOD_AUTO,
                                     .effort = KTG_EFFORT_NORMAL,
-                                    .sheet_aspect = 190.0 / 277.0,
                                     .population = 32,
                                     .generations = 2000,
                                     .patience = 30,
                                     .crossover_rate = 0.8,
                                     .mutation_rate = 0.1,
                                     .restarts = 20};
+    ktg_sheet_defaults(&options->sheet);
+    ktg_finish_defaults(&options->finish);
 }
 
 static ktg_status check_options(ktg_context *context, const ktg_unfold_options *o) {
@@ -33,8 +35,12 @@ static ktg_status check_options(ktg_context *context, const ktg_unfold_options *
     if (!(o->mutation_rate >= 0 && o->mutation_rate <= 1))
         return ktg_fail(context, KTG_ARGUMENT, "a mutation rate of %g: from 0 to 1 is possible",
                         o->mutation_rate);
-    if (!(o->sheet_aspect > 1e-3 && o->sheet_aspect < 1e3))
-        return ktg_fail(context, KTG_ARGUMENT, "a sheet %g times as wide as high", o->sheet_aspect);
+    double margins = 2 * o->sheet.margin_mm;
+    if (!(o->sheet.width_mm - margins > 1) || !(o->sheet.height_mm - margins > 1))
+        return ktg_fail(context, KTG_ARGUMENT, "margins of %g mm leave nothing of a sheet",
+                        o->sheet.margin_mm);
+    if (!(o->mm_per_unit >= 0) || !isfinite(o->mm_per_unit))
+        return ktg_fail(context, KTG_ARGUMENT, "a scale of %g mm for a unit", o->mm_per_unit);
     if (!(o->seconds >= 0))
         return ktg_fail(context, KTG_ARGUMENT, "a time limit of %g seconds; 0 is none", o->seconds);
     return KTG_OK;
@@ -191,6 +197,20 @@ static void mark_forced(const work *w, ktg_pattern *pattern) {
         pattern->edges[e].forced = ktg_rules_cut(&w->rules, e);
 }
 
+static double face_area(const ktg_mesh *mesh, uint32_t face) {
+    const uint32_t *v = mesh->faces + 3 * (size_t)face;
+    ktg_vec3 a = mesh->positions[v[0]], b = mesh->positions[v[1]], c = mesh->positions[v[2]];
+    return 0.5 * ktg_length3(ktg_cross3(ktg_sub3(b, a), ktg_sub3(c, a)));
+}
+
+static void set_goal(work *w) {
+    double area = 0;
+    for (uint32_t f = 0; f < w->mesh->face_count; f++)
+        area += face_area(w->mesh, f);
+    w->search.area_all = area * w->scale * w->scale;
+    w->search.mm = ktg_goal_mm(w->options, w->search.area_all, w->scale);
+}
+
 static ktg_status fill_pattern(ktg_context *context, work *w, const char *name,
                                ktg_pattern *pattern) {
     KTG_TRY(ktg_rules_new(context, w->mesh, w->adjacency, w->options, &w->rules));
@@ -201,6 +221,7 @@ static ktg_status fill_pattern(ktg_context *context, work *w, const char *name,
     w->is_fold = ktg_new(context, w->adjacency->edge_count, bool);
     if (!w->is_fold)
         return KTG_MEMORY;
+    set_goal(w);
     KTG_TRY(start_pattern(context, w, name, pattern));
     KTG_TRY(check_kept(context, w));
     for (uint32_t part = 0; part < w->parts.count; part++) {

@@ -39,8 +39,9 @@ typedef struct ktg_edge_rule {
 typedef struct ktg_unfold_options {
     ktg_unfold_method method; /* auto */
     ktg_effort effort;        /* normal */
-    double
-        sheet_aspect; /* width over height of the sheet's printable area; A4's with 10 mm margins */
+    ktg_sheet_format sheet;    /* what a piece should fill; A4 */
+    ktg_finish_options finish; /* the tabs it should have room for; those of ktg_finish_defaults */
+    double mm_per_unit; /* the scale; 0: as large as the sheet allows, which is found out later */
     uint32_t population;   /* chromosomes in a generation, at least 4; 32 */
     uint32_t generations;  /* at most this many; 2000 */
     uint32_t patience;     /* stop after so many generations without gain; 30 */
