@@ -41,6 +41,8 @@ typedef struct phase {
 typedef struct anneal {
     const ktg_arrange_goal *goal;
     ktg_search *search;
+    ktg_vec2 half;          /* as the goal's; where the scale is free, what was reached */
+    ktg_seam_tab_wish wish; /* likewise */
     ktg_arrangement *a;
     ktg_spread spread;
     ktg_seam_tabs *tabs;
@@ -185,12 +187,22 @@ static ktg_status take_step(ktg_context *context, anneal *s, uint64_t step) {
 
 /* ---- phases --------------------------------------------------------------------------------- */
 
+static uint32_t count_conflicts(const ktg_arrangement *a) {
+    uint32_t twice = 0;
+    for (uint32_t i = 0; i < a->dual->face_count; i++) {
+        ktg_branch face = {a->order[i], i, 1};
+        twice += ktg_graft_conflicts(a, &face, NULL, UINT32_MAX - 1);
+    }
+    return twice / 2;
+}
+
 /* Roots in the middle of their trees, and an end to rounding. */
 static ktg_status tidy(ktg_context *context, anneal *s, int power) {
     ktg_branch all = {0, 0, s->a->dual->face_count};
     ktg_arrangement_order(s->a);
     KTG_TRY(ktg_arrangement_settle(context, s->a));
     ktg_spread_recount(&s->spread, power);
+    s->conflicts = s->soft ? count_conflicts(s->a) : 0;
     return s->tabs && !s->soft ? ktg_seam_tabs_lay(context, s->tabs, &all) : KTG_OK;
 }
 
@@ -208,13 +220,14 @@ static void tell(ktg_context *context, anneal *s, double done) {
 
 /* The spread's power rises while the temperature falls. */
 static int power_at(const phase *p, double done) {
-    return p->soft || done < 0.3 ? 4 : done < 0.6 ? 8 : 16;
+    return p->soft || done < P("S1",0.3) ? 4 : done < P("S2",0.6) ? 8 : 16;
 }
 
 static ktg_status run_phase(ktg_context *context, anneal *s, const phase *p) {
     uint64_t begin = s->work, end = begin + (uint64_t)(p->share * (double)s->goal->work);
     double hot = p->hot * s->unit, cold = p->cold * s->unit;
     s->soft = p->soft;
+    s->a->gap = s->soft && s->tabs ? P("GAP", 0.5) * s->wish.height : 0;
     s->tab_price = p->tab_price * s->unit;
     KTG_TRY(tidy(context, s, 4));
     for (uint64_t step = 1; s->work < end; step++) {
@@ -240,10 +253,10 @@ static ktg_status run_phase(ktg_context *context, anneal *s, const phase *p) {
 
 static ktg_status start(ktg_context *context, anneal *s, const ktg_dual *dual, const bool *folded) {
     uint32_t n = dual->face_count;
-    ktg_vec2 region = ktg_mul2(s->goal->half, 1.4);
+    ktg_vec2 region = ktg_mul2(s->half, 1.4);
     KTG_TRY(ktg_arrangement_new(context, dual, folded, region,
                                 n + dual->edge_count + dual->forced_count, &s->a));
-    KTG_TRY(ktg_spread_new(context, s->a, s->goal->half, &s->spread));
+    KTG_TRY(ktg_spread_new(context, s->a, s->half, &s->spread));
     KTG_TRY(ktg_spread_pose(context, s->a, &s->spread));
     s->unit = 1.0 / n;
     if (!s->goal->tabs)
@@ -253,7 +266,7 @@ static ktg_status start(ktg_context *context, anneal *s, const ktg_dual *dual, c
                            .turns = ktg_new(context, n, ktg_vec2)};
     if (!s->saved.faces || !s->saved.corners || !s->saved.turns)
         return KTG_MEMORY;
-    KTG_TRY(ktg_seam_tabs_new(context, s->a, s->goal->tabs, &s->tabs));
+    KTG_TRY(ktg_seam_tabs_new(context, s->a, &s->wish, &s->tabs));
     return ktg_leaves_new(context, s->a, s->tabs, &s->leaves);
 }
 
@@ -313,20 +326,74 @@ static ktg_status soften(ktg_context *context, anneal *s, const ktg_dual *dual, 
     return KTG_OK;
 }
 
+/* The box around a piece and its tabs. */
+static ktg_flat_box box_of(const anneal *s, uint32_t piece) {
+    ktg_flat_box box = ktg_flat_box_empty();
+    for (uint32_t i = 0; i < s->a->cells.item_count; i++)
+        if (s->a->cells.sheet[i] == piece)
+            ktg_flat_box_add(&box, &s->a->cells.boxes[i]);
+    return box;
+}
+
+/* Moves every piece into the middle of its sheet; how much larger than the sheet the largest is. */
+static ktg_status centre(ktg_context *context, anneal *s, double *excess) {
+    *excess = 0;
+    for (uint32_t p = 0; p < s->a->piece_count; p++) {
+        ktg_flat_box box = box_of(s, p);
+        ktg_motion2 shift = {1, 0, {-0.5 * ((double)box.x0 + box.x1), -0.5 * ((double)box.y0 + box.y1)}};
+        *excess = fmax(*excess, fmax((box.x1 - box.x0) / (2 * s->half.x),
+                                     (box.y1 - box.y0) / (2 * s->half.y)));
+        KTG_TRY(ktg_arrangement_move(context, s->a, p, shift));
+    }
+    return KTG_OK;
+}
+
+/* Where the scale is free: sheet and tabs as large as they are at the scale that was reached, but
+ * for a `squeeze`. */
+static ktg_status rescale(ktg_context *context, anneal *s, double squeeze) {
+    double excess;
+    KTG_TRY(centre(context, s, &excess));
+    if (s->goal->fixed)
+        return KTG_OK;
+    fprintf(stderr, "excess %g spread %g price %g\n", excess, s->spread.total, s->tabs ? s->tabs->price : 0);
+    double by = excess * squeeze;
+    s->half = ktg_mul2(s->half, by);
+    s->spread.per = (ktg_vec2){1 / s->half.x, 1 / s->half.y};
+    s->wish.height *= by;
+    s->wish.least *= by;
+    s->wish.edge *= by;
+    s->wish.inset *= by;
+    s->wish.air *= by;
+    return KTG_OK;
+}
+
+static ktg_status harden(ktg_context *context, anneal *s, const phase *p, double squeeze) {
+    KTG_TRY(rescale(context, s, squeeze));
+    if (s->tabs)
+        KTG_TRY(ktg_seam_tabs_renew(context, s->tabs, &s->wish));
+    s->progress_from = s->progress_to;
+    s->progress_to += p->share;
+    return run_phase(context, s, p);
+}
+
 static ktg_status anneal_all(ktg_context *context, anneal *s, const ktg_dual *dual, bool *folded) {
-    phase soft = {true, P("SHOT", 20), P("SCOLD", 0.5), P("SLAM", 10), P("SOFT", 0.3)};
-    phase hard = {false, P("HOT", 2), P("COLD", 0.2), P("LAM", 6), P("HARD", 0.7)};
+    phase soft = {true, P("SHOT", 20), P("SCOLD", 0.5), P("SLAM", 10), P("SOFT", 0.25)};
+    phase hard = {false, P("HOT", 2), P("COLD", 0.2), P("LAM", 6), P("HARD", 0.5)};
+    phase last = {false, P("LHOT", 0.5), P("LCOLD", 0.1), P("LLAM", 10), P("LAST", 0.25)};
+    s->half = s->goal->half;
+    if (s->goal->tabs)
+        s->wish = *s->goal->tabs;
     KTG_TRY(start(context, s, dual, folded));
     s->progress_to = soft.share;
     KTG_TRY(soften(context, s, dual, &soft, folded));
-    if (s->tabs) {
-        KTG_TRY(ktg_seam_tabs_renew(context, s->tabs, s->goal->tabs));
-        fprintf(stderr, "tabs start %g\n", s->tabs->price);
-    }
+    if (s->tabs)
+        KTG_TRY(ktg_seam_tabs_renew(context, s->tabs, &s->wish));
     s->progress_from = soft.share;
-    s->progress_to = 1;
+    s->progress_to = soft.share + hard.share;
     KTG_TRY(run_phase(context, s, &hard));
-    if (s->tabs) fprintf(stderr, "tabs end %g spread %g\n", s->tabs->price, s->spread.total);
+    KTG_TRY(harden(context, s, &last, P("SQ", 0.98)));
+    double e; KTG_TRY(centre(context, s, &e));
+    fprintf(stderr, "end excess %g spread %g price %g\n", e, s->spread.total, s->tabs ? s->tabs->price : 0);
     memcpy(folded, s->a->folded, dual->edge_count * sizeof *folded);
     return KTG_OK;
 }

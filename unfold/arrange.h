@@ -14,6 +14,7 @@
 typedef struct ktg_arrange_goal {
     ktg_vec2 half; /* half of the printable area each piece should fit, in the dual's unit */
     const ktg_seam_tab_wish *tabs; /* NULL: none */
+    bool fixed;                    /* the scale: sheet and tabs keep their size */
     double ease;                   /* weight of what makes a net easy to assemble; 0: none */
     uint64_t work;                 /* counted in faces looked at; docs/unfold.md: about 10^7 a second */
 } ktg_arrange_goal;

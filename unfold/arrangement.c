@@ -192,6 +192,26 @@ static bool is_first(const ktg_arrangement *a, uint32_t item, const ktg_cell_ran
            y == (own.y0 > range->y0 ? own.y0 : range->y0);
 }
 
+static bool share_vertex(const ktg_dual *dual, uint32_t f, uint32_t g) {
+    const uint32_t *p = dual->faces + 3 * (size_t)f, *q = dual->faces + 3 * (size_t)g;
+    for (int i = 0; i < 3; i++)
+        if (p[i] == q[0] || p[i] == q[1] || p[i] == q[2])
+            return true;
+    return false;
+}
+
+/* Whether a face that lies at `moved` and another one are in conflict. */
+static bool in_conflict(const ktg_arrangement *a, uint32_t face, const ktg_vec2 moved[3],
+                        uint32_t other) {
+    const double *lengths = a->dual->lengths;
+    const ktg_vec2 *corners = a->corners + 3 * (size_t)other;
+    double depth = KTG_ARRANGEMENT_DEPTH;
+    if (a->gap > 0 && !share_vertex(a->dual, face, other))
+        depth = -a->gap;
+    return ktg_triangles_overlap(moved, lengths + 3 * (size_t)face, corners,
+                                 lengths + 3 * (size_t)other, depth);
+}
+
 /* How many faces outside the branch its face would overlap, at most `most` + 1. */
 static uint32_t face_conflicts(const ktg_arrangement *a, const ktg_branch *branch, uint32_t face,
                                uint32_t sheet, const ktg_motion2 *motion, uint32_t most) {
@@ -199,7 +219,7 @@ static uint32_t face_conflicts(const ktg_arrangement *a, const ktg_branch *branc
     ktg_vec2 moved[3];
     for (int k = 0; k < 3; k++)
         moved[k] = ktg_move2(*motion, a->corners[3 * (size_t)face + k]);
-    ktg_flat_box box = ktg_flat_box_of(moved);
+    ktg_flat_box box = ktg_flat_box_grown(ktg_flat_box_of(moved), a->gap);
     ktg_cell_range r = ktg_cells_range(&a->cells, &box);
     for (uint32_t y = r.y0; y <= r.y1; y++)
         for (uint32_t x = r.x0; x <= r.x1; x++) {
@@ -209,9 +229,7 @@ static uint32_t face_conflicts(const ktg_arrangement *a, const ktg_branch *branc
                 if (g >= a->dual->face_count || !ktg_flat_boxes_meet(&box, &a->cells.boxes[g]) ||
                     ktg_branch_holds(a, branch, g) || (most > 0 && !is_first(a, g, &r, x, y)))
                     continue;
-                count += ktg_triangles_overlap(moved, a->dual->lengths + 3 * (size_t)face,
-                                          a->corners + 3 * (size_t)g,
-                                          a->dual->lengths + 3 * (size_t)g, KTG_ARRANGEMENT_DEPTH);
+                count += in_conflict(a, face, moved, g);
                 if (count > most)
                     return count;
             }

@@ -29,6 +29,8 @@ typedef struct ktg_arrangement {
     ktg_vec2 *turn;        /* face_count: cosine and sine from the dual's flat face */
     ktg_cells cells;       /* faces are items 0 .. face_count - 1; tabs may follow */
     uint32_t *scratch;     /* 3 face_count */
+    double gap; /* faces without a common vertex conflict when they are nearer than this; 0: when
+                   they overlap */
 } ktg_arrangement;
 
 /* A subtree that may be hung elsewhere: faces order[first] .. order[first + count - 1]. */

@@ -43,6 +43,12 @@ KTG_NODISCARD ktg_status ktg_cells_put(ktg_context *context, ktg_cells *cells, u
                                        uint32_t sheet, const ktg_flat_box *box);
 void ktg_cells_take_out(ktg_cells *cells, uint32_t item);
 
+/* Larger on all sides. */
+static inline ktg_flat_box ktg_flat_box_grown(ktg_flat_box box, double by) {
+    float b = (float)by;
+    return (ktg_flat_box){box.x0 - b, box.y0 - b, box.x1 + b, box.y1 + b};
+}
+
 static inline const ktg_cell *ktg_cells_at(const ktg_cells *cells, uint32_t sheet, uint32_t x,
                                            uint32_t y) {
     return &cells->cells[((size_t)sheet * cells->rows + y) * cells->columns + x];

@@ -1,5 +1,7 @@
 /* unfold/goal.c - sheets and tabs in the unit of the dual graph. */
 #include "unfold/goal.h"
+#include <stdlib.h>
+static double P(const char *n, double d) { const char *s = getenv(n); return s ? atof(s) : d; }
 
 /* Parts of the sheet that faces fill at best, without tabs and with tabs. */
 #define FILL_BARE 0.55
@@ -17,7 +19,7 @@ double ktg_goal_mm(const ktg_unfold_options *o, double area, double scale) {
     if (o->mm_per_unit > 0)
         return o->mm_per_unit / scale;
     ktg_vec2 sheet = printable(o);
-    double fill = o->finish.tab_height_mm > 0 ? FILL_TABS : FILL_BARE;
+    double fill = o->finish.tab_height_mm > 0 ? P("FT",FILL_TABS) : P("FB",FILL_BARE);
     return sqrt(fill * sheet.x * sheet.y / area);
 }
 

@@ -191,8 +191,7 @@ static ktg_flat_box box_around(const ktg_trapezoid *shape, const frame *outer, d
         c[i] = from_frame(outer, c[i]);
     ktg_flat_box box = ktg_flat_box_of(c), last = ktg_flat_box_of(c + count - 3);
     ktg_flat_box_add(&box, &last);
-    return (ktg_flat_box){box.x0 - (float)air, box.y0 - (float)air, box.x1 + (float)air,
-                          box.y1 + (float)air};
+    return ktg_flat_box_grown(box, air);
 }
 
 /* The tab glued under the mate's face at its half-edge `side`, in the frame of `under`; false when
@@ -287,18 +286,33 @@ static ktg_status choose_damaged(ktg_context *context, ktg_seam_tabs *t) {
 
 /* ---- making ones ---------------------------------------------------------------------------- */
 
+/* Gives the edge a tab on the side where it had one, if it can be as good there as any. */
+static ktg_status choose_again(ktg_context *context, ktg_seam_tabs *t, uint32_t e, int side) {
+    ktg_trapezoid shape;
+    double price = side < 0 ? 1 : find_shape(t, e, side, true, 1, &shape);
+    return price < 1 ? set_tab(context, t, e, side, &shape, price) : KTG_OK;
+}
+
 ktg_status ktg_seam_tabs_renew(ktg_context *context, ktg_seam_tabs *t,
                                const ktg_seam_tab_wish *wish) {
     uint32_t count = t->edge_count;
     t->wish = *wish;
     shape_slots(t);
+    int8_t *sides = ktg_new(context, count, int8_t);
+    ktg_status status = sides ? KTG_OK : KTG_MEMORY;
     ktg_seam_tabs_begin(t);
-    for (uint32_t e = 0; e < count; e++)
-        KTG_TRY(set_tab(context, t, e, -1, NULL, price_of_none(t, e)));
-    for (uint32_t e = 0; e < count; e++)
-        KTG_TRY(ktg_seam_tabs_choose(context, t, e));
+    for (uint32_t e = 0; status == KTG_OK && e < count; e++) {
+        sides[e] = (int8_t)t->tabs[e].side;
+        status = set_tab(context, t, e, -1, NULL, price_of_none(t, e));
+    }
+    for (uint32_t e = 0; status == KTG_OK && e < count; e++)
+        status = choose_again(context, t, e, sides[e]);
+    for (uint32_t e = 0; status == KTG_OK && e < count; e++)
+        if (t->tabs[e].price > 0)
+            status = ktg_seam_tabs_choose(context, t, e);
     ktg_seam_tabs_begin(t);
-    return KTG_OK;
+    ktg_free(sides);
+    return status;
 }
 
 /* The edges of half-edges, forced cuts among them. */
@@ -359,9 +373,7 @@ static ktg_status damage_by_face(ktg_context *context, ktg_seam_tabs *t, const k
     ktg_vec2 moved[3];
     for (int k = 0; k < 3; k++)
         moved[k] = ktg_move2(graft->motion, a->corners[3 * (size_t)face + k]);
-    ktg_flat_box box = ktg_flat_box_of(moved);
-    float air = (float)t->wish.air;
-    box = (ktg_flat_box){box.x0 - air, box.y0 - air, box.x1 + air, box.y1 + air};
+    ktg_flat_box box = ktg_flat_box_grown(ktg_flat_box_of(moved), t->wish.air);
     ktg_cell_range r = ktg_cells_range(&a->cells, &box);
     for (uint32_t y = r.y0; y <= r.y1; y++)
         for (uint32_t x = r.x0; x <= r.x1; x++) {
