@@ -11,6 +11,9 @@ void ktg_net_free(ktg_net **net) {
     ktg_net *n = *net;
     ktg_free(n->folded);
     ktg_free(n->parent_edge);
+    ktg_free(n->parent);
+    ktg_free(n->below);
+    ktg_free(n->neighbour);
     ktg_free(n->corners);
     ktg_free(n->turn);
     ktg_net_grid_free(&n->grid);
@@ -18,8 +21,7 @@ void ktg_net_free(ktg_net **net) {
     ktg_free(n->live);
     ktg_free(n->first);
     ktg_free(n->mark);
-    ktg_free(n->queue[0]);
-    ktg_free(n->queue[1]);
+    ktg_free(n->queue);
     ktg_free(n);
     *net = NULL;
 }
@@ -140,29 +142,39 @@ static void lay_against(ktg_net *net, uint32_t other, uint32_t own) {
         net->corners[3 * (size_t)face + i] = ktg_move2(m, flat[i]);
 }
 
+/* Marks an edge as a fold or a cut. */
+static void set_fold(ktg_net *net, uint32_t edge, bool folded) {
+    const uint32_t *pair = net->dual->edges[edge].halfedge;
+    net->folded[edge] = folded;
+    net->neighbour[pair[0]] = folded ? pair[1] / 3 : KTG_NONE;
+    net->neighbour[pair[1]] = folded ? pair[0] / 3 : KTG_NONE;
+}
+
 /* Breadth first from face 0; parents point back. */
 static void lay_tree(ktg_net *net) {
-    uint32_t stamp = ktg_net_stamp(net), count = 1, *queue = net->queue[0];
+    uint32_t count = 1, *queue = net->queue;
     memcpy(net->corners, net->dual->flat, 3 * sizeof(ktg_vec2));
-    net->parent_edge[0] = KTG_NONE;
+    memset(net->neighbour, 0xff, 3 * (size_t)net->dual->face_count * sizeof *net->neighbour);
+    for (uint32_t e = 0; e < net->dual->edge_count; e++)
+        set_fold(net, e, net->folded[e]);
+    net->parent[0] = net->parent_edge[0] = KTG_NONE;
     net->turn[0] = (ktg_vec2){1, 0};
-    net->mark[0] = stamp;
     queue[0] = 0;
     for (uint32_t i = 0; i < count; i++) {
         uint32_t face = queue[i];
+        net->below[face] = 1;
         for (uint32_t h = 3 * face; h < 3 * face + 3; h++) {
-            uint32_t e = net->dual->halfedge_edge[h];
-            if (e == KTG_NONE || !net->folded[e])
+            uint32_t other = net->neighbour[h], e = net->dual->halfedge_edge[h];
+            if (other == KTG_NONE || e == net->parent_edge[face])
                 continue;
-            uint32_t own = ktg_net_across(net, e, face);
-            if (net->mark[own / 3] == stamp)
-                continue;
-            net->mark[own / 3] = stamp;
-            net->parent_edge[own / 3] = e;
-            lay_against(net, h, own);
-            queue[count++] = own / 3;
+            net->parent_edge[other] = e;
+            net->parent[other] = face;
+            lay_against(net, h, ktg_net_across(net, e, face));
+            queue[count++] = other;
         }
     }
+    for (uint32_t i = count - 1; i > 0; i--)
+        net->below[net->parent[queue[i]]] += net->below[queue[i]];
 }
 
 ktg_status ktg_net_refresh(ktg_context *context, ktg_net *net) {
@@ -192,12 +204,14 @@ static ktg_status allocate(ktg_context *context, ktg_net *net) {
     net->turn = ktg_new(context, n, ktg_vec2);
     net->first = ktg_new(context, n, uint32_t);
     net->mark = ktg_new(context, n, uint32_t);
-    net->queue[0] = ktg_new(context, n, uint32_t);
-    net->queue[1] = ktg_new(context, n, uint32_t);
+    net->parent = ktg_new(context, n, uint32_t);
+    net->below = ktg_new(context, n, uint32_t);
+    net->neighbour = ktg_new(context, 3 * n, uint32_t);
+    net->queue = ktg_new(context, n, uint32_t);
     double *sizes = ktg_new(context, n, double);
     ktg_status status = KTG_MEMORY;
-    if (net->parent_edge && net->corners && net->turn && net->first && net->mark && net->queue[0] &&
-        net->queue[1] && sizes) {
+    if (net->parent_edge && net->corners && net->turn && net->first && net->mark && net->parent &&
+        net->below && net->neighbour && net->queue && sizes) {
         for (size_t f = 0; f < n; f++) {
             const double *l = net->dual->lengths + 3 * f;
             sizes[f] = fmax(l[0], fmax(l[1], l[2]));
@@ -225,11 +239,6 @@ ktg_status ktg_net_new(ktg_context *context, const ktg_dual *dual, const bool *f
 
 /* ---- paths and sides ------------------------------------------------------------------------ */
 
-static uint32_t parent_of(const ktg_net *net, uint32_t face) {
-    uint32_t e = net->parent_edge[face];
-    return e == KTG_NONE ? KTG_NONE : ktg_net_across(net, e, face) / 3;
-}
-
 /* Climbs from both faces in turn until one comes where the other has been; then both ways up to
  * there are the path. */
 uint32_t ktg_net_path(ktg_net *net, uint32_t a, uint32_t b, uint32_t *path) {
@@ -242,7 +251,7 @@ uint32_t ktg_net_path(ktg_net *net, uint32_t a, uint32_t b, uint32_t *path) {
     net->mark[b] = of_b;
     while (meeting == KTG_NONE) {
         for (int i = 0; i < 2 && meeting == KTG_NONE; i++) {
-            uint32_t up = at[i] == KTG_NONE ? KTG_NONE : parent_of(net, at[i]);
+            uint32_t up = at[i] == KTG_NONE ? KTG_NONE : net->parent[at[i]];
             at[i] = up;
             if (up == KTG_NONE)
                 continue;
@@ -253,44 +262,48 @@ uint32_t ktg_net_path(ktg_net *net, uint32_t a, uint32_t b, uint32_t *path) {
     }
     const uint32_t from[2] = {a, b};
     for (int i = 0; i < 2; i++)
-        for (uint32_t face = from[i]; face != meeting; face = parent_of(net, face))
+        for (uint32_t face = from[i]; face != meeting; face = net->parent[face])
             path[count++] = net->parent_edge[face];
     return count;
 }
 
-/* Lets one side grow by the neighbours of its next face. */
-static void grow(ktg_net *net, uint32_t fold, uint32_t *queue, uint32_t *count, uint32_t *done,
-                 uint32_t stamp) {
-    uint32_t face = queue[(*done)++];
-    for (uint32_t h = 3 * face; h < 3 * face + 3; h++) {
-        uint32_t e = net->dual->halfedge_edge[h];
-        if (e == KTG_NONE || e == fold || !net->folded[e])
-            continue;
-        uint32_t other = ktg_net_across(net, e, face) / 3;
-        if (net->mark[other] == stamp)
-            continue;
-        net->mark[other] = stamp;
-        queue[(*count)++] = other;
-    }
+/* The face of a fold that hangs from the other. */
+static uint32_t lower_face(const ktg_net *net, uint32_t fold) {
+    const uint32_t *pair = net->dual->edges[fold].halfedge;
+    return net->parent_edge[pair[0] / 3] == fold ? pair[0] / 3 : pair[1] / 3;
+}
+
+uint32_t ktg_net_side_count(const ktg_net *net, uint32_t fold) {
+    uint32_t below = net->below[lower_face(net, fold)], all = net->dual->face_count;
+    return below < all - below ? below : all - below;
 }
 
 bool ktg_net_smaller_side(ktg_net *net, uint32_t fold, uint32_t most, ktg_body *body) {
-    const uint32_t *pair = net->dual->edges[fold].halfedge;
-    uint32_t count[2] = {1, 1}, done[2] = {0, 0}, stamp[2];
-    for (int i = 0; i < 2; i++) {
-        stamp[i] = ktg_net_stamp(net);
-        net->queue[i][0] = pair[i] / 3;
-        net->mark[pair[i] / 3] = stamp[i];
+    uint32_t from = lower_face(net, fold), count = ktg_net_side_count(net, fold), filled = 1;
+    if (count > most)
+        return false;
+    uint32_t other = net->parent[from], stamp = ktg_net_stamp(net), *queue = net->queue;
+    if (net->below[from] != count) {
+        uint32_t swap = from;
+        from = other;
+        other = swap;
     }
-    while (done[0] < count[0] && done[1] < count[1]) {
-        if (done[0] > most)
-            return false;
-        grow(net, fold, net->queue[0], &count[0], &done[0], stamp[0]);
-        grow(net, fold, net->queue[1], &count[1], &done[1], stamp[1]);
+    /* the other side is left out by marking where it begins */
+    net->mark[from] = net->mark[other] = stamp;
+    queue[0] = from;
+    for (uint32_t i = 0; i < filled; i++) {
+        const uint32_t *neighbours = net->neighbour + 3 * (size_t)queue[i];
+        for (int k = 0; k < 3; k++) {
+            uint32_t next = neighbours[k];
+            if (next == KTG_NONE || net->mark[next] == stamp)
+                continue;
+            net->mark[next] = stamp;
+            queue[filled++] = next;
+        }
     }
-    int side = done[0] == count[0] ? 0 : 1;
-    *body = (ktg_body){net->queue[side], count[side], stamp[side]};
-    return count[side] <= most;
+    net->mark[other] = stamp - 1;
+    *body = (ktg_body){queue, count, stamp};
+    return true;
 }
 
 /* ---- transplants ---------------------------------------------------------------------------- */
@@ -384,30 +397,31 @@ static ktg_status find_conflicts(ktg_context *context, ktg_net *net, const ktg_b
     return KTG_OK;
 }
 
-/* The part that hangs from the root below `fold` turns its parents round on the way from `edge` up
- * to the fold. */
-static void regrow(ktg_net *net, uint32_t fold, uint32_t edge) {
-    const uint32_t *pair = net->dual->edges[fold].halfedge;
-    uint32_t top = net->parent_edge[pair[0] / 3] == fold ? pair[0] / 3 : pair[1] / 3;
+static void add_below(ktg_net *net, uint32_t face, uint32_t count) {
+    for (; face != KTG_NONE; face = net->parent[face])
+        net->below[face] += count;
+}
+
+/* What hangs below `fold` hangs from `edge` now: parents turn round on the way from there up to the
+ * fold. Costs what the ways to the root cost. */
+static void hang_from(ktg_net *net, const ktg_body *body, uint32_t fold, uint32_t edge) {
+    uint32_t top = lower_face(net, fold), all = net->below[top];
     const uint32_t *ends = net->dual->edges[edge].halfedge;
-    /* exactly one end of the new edge lies below the fold: the one whose way up passes `top` */
-    uint32_t below = ends[0] / 3;
-    for (uint32_t face = below; face != top; face = parent_of(net, face)) {
-        if (parent_of(net, face) == KTG_NONE) {
-            below = ends[1] / 3;
-            break;
-        }
-    }
-    uint32_t link = edge;
-    for (uint32_t face = below;;) {
-        uint32_t up = net->parent_edge[face];
-        uint32_t above = face == top ? KTG_NONE : parent_of(net, face);
+    bool moves = net->mark[top] == body->stamp;
+    int inside = (net->mark[ends[0] / 3] == body->stamp) == moves ? 0 : 1;
+    uint32_t face = ends[inside] / 3, above = ends[1 - inside] / 3, link = edge, passed = 0;
+    add_below(net, net->parent[top], 0u - all);
+    for (uint32_t next, last = fold; link != last; face = next) {
+        uint32_t up = net->parent_edge[face], below = net->below[face];
+        next = net->parent[face];
         net->parent_edge[face] = link;
-        if (face == top)
-            return;
+        net->parent[face] = above;
+        net->below[face] = all - passed;
+        passed = below;
+        above = face;
         link = up;
-        face = above;
     }
+    add_below(net, ends[1 - inside] / 3, all);
 }
 
 ktg_status ktg_net_transplant(ktg_context *context, ktg_net *net, const ktg_body *body,
@@ -421,8 +435,8 @@ ktg_status ktg_net_transplant(ktg_context *context, ktg_net *net, const ktg_body
         move_face(net, body->faces[i], &motion, net->corners + 3 * (size_t)body->faces[i]);
         put_in_grid(net, body->faces[i]);
     }
-    regrow(net, fold, edge);
-    net->folded[fold] = false;
-    net->folded[edge] = true;
+    hang_from(net, body, fold, edge);
+    set_fold(net, fold, false);
+    set_fold(net, edge, true);
     return find_conflicts(context, net, body);
 }

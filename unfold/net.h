@@ -20,6 +20,9 @@ typedef struct ktg_net {
     const ktg_dual *dual;
     bool *folded;          /* edge_count: the tree */
     uint32_t *parent_edge; /* face_count: dual edge towards the root; KTG_NONE at the root */
+    uint32_t *parent;      /* face_count: the face across that edge; KTG_NONE at the root */
+    uint32_t *below;       /* face_count: faces that hang from this one, itself included */
+    uint32_t *neighbour;   /* 3 face_count: the face across each fold, KTG_NONE where there is none */
     ktg_vec2 *corners;     /* 3 face_count */
     ktg_vec2 *turn; /* face_count: cosine and sine from the dual's flat face to the one here */
     ktg_net_grid grid;
@@ -31,7 +34,7 @@ typedef struct ktg_net {
     uint32_t *first; /* face_count: first conflict of each face */
     uint32_t *mark;  /* face_count: stamps */
     uint32_t stamp;
-    uint32_t *queue[2]; /* scratch, face_count each: the two sides of a fold */
+    uint32_t *queue; /* scratch, face_count: one side of a fold */
 } ktg_net;
 
 /* The net of the spanning tree `folded` (edge_count flags, copied), laid flat from face 0;
@@ -56,14 +59,17 @@ uint32_t ktg_net_stamp(ktg_net *net);
 /* The folds on the way from face a to face b into path (room for face_count); returns how many. */
 uint32_t ktg_net_path(ktg_net *net, uint32_t a, uint32_t b, uint32_t *path);
 
+/* How many faces the smaller side of a fold has, looked up. */
+uint32_t ktg_net_side_count(const ktg_net *net, uint32_t fold);
+
 /* One side of a fold: `body` points into the net's scratch, its faces are marked with `stamp`. */
 typedef struct ktg_body {
     const uint32_t *faces;
     uint32_t count, stamp;
 } ktg_body;
 
-/* The smaller side of a fold. Both sides grow at once, so it costs what the smaller one costs.
- * False when that has more than `most` faces. The body is valid until the next call. */
+/* The smaller side of a fold, in time proportional to it. False, and no time, when that has more
+ * than `most` faces. The body is valid until the next call. */
 bool ktg_net_smaller_side(ktg_net *net, uint32_t fold, uint32_t most, ktg_body *body);
 
 /* The cut edges between the body, one side of `fold`, and the rest: where it could hang instead.

@@ -58,6 +58,18 @@ static void try_fold(transplant *t, uint32_t fold, proposal *best) {
     }
 }
 
+/* Keeps those folds of the path that may be cut and whose smaller side is small enough. */
+static uint32_t movable(transplant *t, uint32_t length) {
+    uint32_t count = 0;
+    for (uint32_t k = 0; k < length; k++) {
+        uint32_t fold = t->path[k];
+        if (!t->net->dual->edges[fold].rigid && !is_tabu(t, fold) &&
+            ktg_net_side_count(t->net, fold) <= t->most)
+            t->path[count++] = fold;
+    }
+    return count;
+}
+
 /* Looks at a few folds on the way between two overlapping faces. */
 static proposal find_proposal(transplant *t) {
     ktg_random *random = &t->search->random;
@@ -68,13 +80,12 @@ static proposal find_proposal(transplant *t) {
     proposal best = {.cost = 1 + (int64_t)threshold};
     double range = fmax(1, (double)net->dual->face_count / SMALL_BODY);
     t->most = (uint32_t)(SMALL_BODY * pow(range, ktg_random_unit(random)));
-    uint32_t length = ktg_net_path(net, faces[0], faces[1], t->path);
+    uint32_t length = movable(t, ktg_net_path(net, faces[0], faces[1], t->path));
     for (int i = 0; i < FOLDS_TRIED && length > 0; i++) {
         size_t k = ktg_random_below(random, length);
         uint32_t fold = t->path[k];
         t->path[k] = t->path[--length];
-        if (!net->dual->edges[fold].rigid && !is_tabu(t, fold))
-            try_fold(t, fold, &best);
+        try_fold(t, fold, &best);
     }
     return best;
 }
