@@ -20,6 +20,7 @@ void ktg_net_free(ktg_net **net) {
     ktg_free(n->conflicts);
     ktg_free(n->live);
     ktg_free(n->first);
+    ktg_free(n->weight);
     ktg_free(n->mark);
     ktg_free(n->queue);
     ktg_free(n);
@@ -203,6 +204,7 @@ static ktg_status allocate(ktg_context *context, ktg_net *net) {
     net->corners = ktg_new(context, 3 * n, ktg_vec2);
     net->turn = ktg_new(context, n, ktg_vec2);
     net->first = ktg_new(context, n, uint32_t);
+    net->weight = ktg_new(context, n, uint32_t);
     net->mark = ktg_new(context, n, uint32_t);
     net->parent = ktg_new(context, n, uint32_t);
     net->below = ktg_new(context, n, uint32_t);
@@ -210,8 +212,8 @@ static ktg_status allocate(ktg_context *context, ktg_net *net) {
     net->queue = ktg_new(context, n, uint32_t);
     double *sizes = ktg_new(context, n, double);
     ktg_status status = KTG_MEMORY;
-    if (net->parent_edge && net->corners && net->turn && net->first && net->mark && net->parent &&
-        net->below && net->neighbour && net->queue && sizes) {
+    if (net->parent_edge && net->corners && net->turn && net->first && net->weight && net->mark &&
+        net->parent && net->below && net->neighbour && net->queue && sizes) {
         for (size_t f = 0; f < n; f++) {
             const double *l = net->dual->lengths + 3 * f;
             sizes[f] = fmax(l[0], fmax(l[1], l[2]));
@@ -322,6 +324,10 @@ uint32_t ktg_net_rims(const ktg_net *net, const ktg_body *body, uint32_t fold, u
     return count;
 }
 
+static uint32_t cost_of(const ktg_net *net, uint32_t a, uint32_t b) {
+    return 1 + net->weight[a] + net->weight[b];
+}
+
 uint32_t ktg_net_conflicts_now(const ktg_net *net, const ktg_body *body) {
     uint32_t count = 0;
     for (uint32_t i = 0; i < body->count; i++) {
@@ -329,7 +335,8 @@ uint32_t ktg_net_conflicts_now(const ktg_net *net, const ktg_body *body) {
         for (uint32_t c = net->first[face]; c != KTG_NONE;) {
             const ktg_conflict *conflict = &net->conflicts[c];
             int end = end_of(conflict, face);
-            count += net->mark[conflict->faces[1 - end]] != body->stamp;
+            if (net->mark[conflict->faces[1 - end]] != body->stamp)
+                count += cost_of(net, face, conflict->faces[1 - end]);
             c = conflict->next[end];
         }
     }
@@ -364,7 +371,8 @@ uint32_t ktg_net_conflicts_moved(const ktg_net *net, const ktg_body *body,
         if (!ktg_net_walk_start(&walk, &net->grid, moved))
             continue;
         for (uint32_t g; (g = ktg_net_walk_next(&walk)) != KTG_NONE;)
-            count += net->mark[g] != body->stamp && overlap(net, &walk, body->faces[i], moved, g);
+            if (net->mark[g] != body->stamp && overlap(net, &walk, body->faces[i], moved, g))
+                count += cost_of(net, body->faces[i], g);
     }
     return count;
 }

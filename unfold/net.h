@@ -22,17 +22,18 @@ typedef struct ktg_net {
     uint32_t *parent_edge; /* face_count: dual edge towards the root; KTG_NONE at the root */
     uint32_t *parent;      /* face_count: the face across that edge; KTG_NONE at the root */
     uint32_t *below;       /* face_count: faces that hang from this one, itself included */
-    uint32_t *neighbour;   /* 3 face_count: the face across each fold, KTG_NONE where there is none */
-    ktg_vec2 *corners;     /* 3 face_count */
-    ktg_vec2 *turn; /* face_count: cosine and sine from the dual's flat face to the one here */
+    uint32_t *neighbour; /* 3 face_count: the face across each fold, KTG_NONE where there is none */
+    ktg_vec2 *corners;   /* 3 face_count */
+    ktg_vec2 *turn;      /* face_count: cosine and sine from the dual's flat face to the one here */
     ktg_net_grid grid;
     ktg_conflict *conflicts; /* freed ones are chained through next[0] */
     size_t conflict_count, conflict_capacity;
     uint32_t free_conflict;
     uint32_t *live; /* live_count numbers of conflicts, so that one can be drawn at random */
     size_t live_count, live_capacity;
-    uint32_t *first; /* face_count: first conflict of each face */
-    uint32_t *mark;  /* face_count: stamps */
+    uint32_t *first;  /* face_count: first conflict of each face */
+    uint32_t *weight; /* face_count: a conflict counts 1 and what its two faces weigh; at first 0 */
+    uint32_t *mark;   /* face_count: stamps */
     uint32_t stamp;
     uint32_t *queue; /* scratch, face_count: one side of a fold */
 } ktg_net;

@@ -4,13 +4,15 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 /* Chosen by measurement on closed/1000 and closed/2000; docs/unfold.md has the figures. */
 #define FOLDS_TRIED 8   /* folds of the path looked at in a step */
 #define EDGES_TRIED 4   /* places tried for each body */
-#define TEMPERATURE 3.0 /* conflicts a step may cost, on average of the accepted */
-#define TABU_LEAST  30  /* steps for which a changed edge stays as it is: this and */
-#define TABU_MORE   60  /* up to that many more */
+#define TEMPERATURE 1.0 /* conflicts a step may cost, on average of the accepted */
+#define MOST_WEIGHT 1000
+#define TABU_LEAST  30 /* steps for which a changed edge stays as it is: this and */
+#define TABU_MORE   60 /* up to that many more */
 #define SMALL_BODY                                                                                 \
     8 /* bodies are at most so many faces large, drawn log-uniformly up to all of them */
 
@@ -21,7 +23,8 @@ typedef struct transplant {
     uint32_t *rims;       /* 3 face_count: edges where a body could hang */
     uint64_t *tabu_until; /* per dual edge: the step before which it stays as it is */
     uint64_t step;
-    uint32_t most; /* faces of a body in this step */
+    uint32_t faces[2]; /* the conflict of this step */
+    uint32_t most;     /* faces of a body in this step */
 } transplant;
 
 typedef struct proposal {
@@ -75,7 +78,7 @@ static proposal find_proposal(transplant *t) {
     ktg_random *random = &t->search->random;
     ktg_net *net = t->net;
     uint32_t pick = net->live[ktg_random_below(random, net->live_count)];
-    const uint32_t *faces = net->conflicts[pick].faces;
+    const uint32_t *faces = memcpy(t->faces, net->conflicts[pick].faces, sizeof t->faces);
     double threshold = -TEMPERATURE * log(1 - ktg_random_unit(random));
     proposal best = {.cost = 1 + (int64_t)threshold};
     double range = fmax(1, (double)net->dual->face_count / SMALL_BODY);
@@ -90,8 +93,18 @@ static proposal find_proposal(transplant *t) {
     return best;
 }
 
+/* A pair that no move of the sample resolves for less than it costs weighs more from now on, until
+ * pushing others aside for it pays. */
+static void grow_heavier(transplant *t) {
+    for (int i = 0; i < 2; i++)
+        if (t->net->weight[t->faces[i]] < MOST_WEIGHT)
+            t->net->weight[t->faces[i]]++;
+}
+
 static ktg_status take_step(ktg_context *context, transplant *t) {
     proposal best = find_proposal(t);
+    if (!best.found || best.cost >= 0)
+        grow_heavier(t);
     ktg_body body;
     if (!best.found || !ktg_net_smaller_side(t->net, best.fold, t->most, &body))
         return KTG_OK;
@@ -125,6 +138,7 @@ static ktg_status run(ktg_context *context, transplant *t, uint64_t patience) {
             last_gain = t->step;
         }
     }
+    memset(t->net->weight, 0, t->net->dual->face_count * sizeof *t->net->weight);
     t->search->report.evaluations += t->step - 1;
     return KTG_OK;
 }
