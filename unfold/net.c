@@ -86,24 +86,14 @@ static void remove_conflict(ktg_net *net, uint32_t id) {
 
 /* ---- faces that overlap a place ------------------------------------------------------------ */
 
-static bool boxes_apart(const ktg_vec2 c[3], const ktg_net_box *box) {
-    return (c[0].x > box->high.x && c[1].x > box->high.x && c[2].x > box->high.x) ||
-           (c[0].x < box->low.x && c[1].x < box->low.x && c[2].x < box->low.x) ||
-           (c[0].y > box->high.y && c[1].y > box->high.y && c[2].y > box->high.y) ||
-           (c[0].y < box->low.y && c[1].y < box->low.y && c[2].y < box->low.y);
-}
-
-static bool overlap(const ktg_net *net, const ktg_net_walk *walk, uint32_t face,
-                    const ktg_vec2 corners[3], uint32_t other) {
-    const ktg_vec2 *c = net->corners + 3 * (size_t)other;
-    return !boxes_apart(c, &walk->box) &&
-           ktg_triangles_overlap(corners, net->dual->lengths + 3 * (size_t)face, c,
+static bool overlap(const ktg_net *net, uint32_t face, const ktg_vec2 corners[3], uint32_t other) {
+    return ktg_triangles_overlap(corners, net->dual->lengths + 3 * (size_t)face,
+                                 net->corners + 3 * (size_t)other,
                                  net->dual->lengths + 3 * (size_t)other, KTG_OVERLAP_DEPTH);
 }
 
 static void put_in_grid(ktg_net *net, uint32_t face) {
-    ktg_net_box box = ktg_net_box_of(net->corners + 3 * (size_t)face);
-    ktg_net_grid_put(&net->grid, face, ktg_mul2(ktg_add2(box.low, box.high), 0.5));
+    ktg_net_grid_put_face(&net->grid, face, net->corners + 3 * (size_t)face);
 }
 
 void ktg_net_shift(ktg_net *net, ktg_vec2 by) {
@@ -192,7 +182,7 @@ ktg_status ktg_net_refresh(ktg_context *context, ktg_net *net) {
         if (!ktg_net_walk_start(&walk, &net->grid, corners))
             continue;
         for (uint32_t g; (g = ktg_net_walk_next(&walk)) != KTG_NONE;)
-            if (g > f && overlap(net, &walk, f, corners, g))
+            if (g > f && overlap(net, f, corners, g))
                 KTG_TRY(add_conflict(context, net, f, g));
     }
     return KTG_OK;
@@ -371,7 +361,7 @@ uint32_t ktg_net_conflicts_moved(const ktg_net *net, const ktg_body *body,
         if (!ktg_net_walk_start(&walk, &net->grid, moved))
             continue;
         for (uint32_t g; (g = ktg_net_walk_next(&walk)) != KTG_NONE;)
-            if (net->mark[g] != body->stamp && overlap(net, &walk, body->faces[i], moved, g))
+            if (net->mark[g] != body->stamp && overlap(net, body->faces[i], moved, g))
                 count += cost_of(net, body->faces[i], g);
     }
     return count;
@@ -399,7 +389,7 @@ static ktg_status find_conflicts(ktg_context *context, ktg_net *net, const ktg_b
         if (!ktg_net_walk_start(&walk, &net->grid, corners))
             continue;
         for (uint32_t g; (g = ktg_net_walk_next(&walk)) != KTG_NONE;)
-            if (net->mark[g] != body->stamp && overlap(net, &walk, face, corners, g))
+            if (net->mark[g] != body->stamp && overlap(net, face, corners, g))
                 KTG_TRY(add_conflict(context, net, face, g));
     }
     return KTG_OK;
