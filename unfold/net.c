@@ -5,15 +5,18 @@
 
 #include <string.h>
 
+/* Draws for an edge where a body could hang. */
+#define DRAWS 64
+/* Faces of a large body that are tried first, and how many times as many conflicts as would be too
+ * many they must stand for to be taken at their word. */
+#define SAMPLE   32
+#define HOPELESS 1.5
+
 void ktg_net_free(ktg_net **net) {
     if (!net || !*net)
         return;
     ktg_net *n = *net;
-    ktg_free(n->folded);
-    ktg_free(n->parent_edge);
-    ktg_free(n->parent);
-    ktg_free(n->below);
-    ktg_free(n->neighbour);
+    ktg_net_tree_free(&n->tree);
     ktg_free(n->corners);
     ktg_free(n->turn);
     ktg_net_grid_free(&n->grid);
@@ -133,39 +136,19 @@ static void lay_against(ktg_net *net, uint32_t other, uint32_t own) {
         net->corners[3 * (size_t)face + i] = ktg_move2(m, flat[i]);
 }
 
-/* Marks an edge as a fold or a cut. */
-static void set_fold(ktg_net *net, uint32_t edge, bool folded) {
-    const uint32_t *pair = net->dual->edges[edge].halfedge;
-    net->folded[edge] = folded;
-    net->neighbour[pair[0]] = folded ? pair[1] / 3 : KTG_NONE;
-    net->neighbour[pair[1]] = folded ? pair[0] / 3 : KTG_NONE;
-}
-
-/* Breadth first from face 0; parents point back. */
+/* Roots lie where their own frame has them. */
 static void lay_tree(ktg_net *net) {
-    uint32_t count = 1, *queue = net->queue;
-    memcpy(net->corners, net->dual->flat, 3 * sizeof(ktg_vec2));
-    memset(net->neighbour, 0xff, 3 * (size_t)net->dual->face_count * sizeof *net->neighbour);
-    for (uint32_t e = 0; e < net->dual->edge_count; e++)
-        set_fold(net, e, net->folded[e]);
-    net->parent[0] = net->parent_edge[0] = KTG_NONE;
-    net->turn[0] = (ktg_vec2){1, 0};
-    queue[0] = 0;
-    for (uint32_t i = 0; i < count; i++) {
-        uint32_t face = queue[i];
-        net->below[face] = 1;
-        for (uint32_t h = 3 * face; h < 3 * face + 3; h++) {
-            uint32_t other = net->neighbour[h], e = net->dual->halfedge_edge[h];
-            if (other == KTG_NONE || e == net->parent_edge[face])
-                continue;
-            net->parent_edge[other] = e;
-            net->parent[other] = face;
-            lay_against(net, h, ktg_net_across(net, e, face));
-            queue[count++] = other;
+    const ktg_net_tree *tree = &net->tree;
+    for (uint32_t k = 0; k < net->dual->face_count; k++) {
+        uint32_t face = tree->order[k], edge = tree->parent_edge[face];
+        if (edge != KTG_NONE) {
+            lay_against(net, ktg_net_across(net, edge, face), ktg_net_own(net, edge, face));
+            continue;
         }
+        net->turn[face] = (ktg_vec2){1, 0};
+        memcpy(net->corners + 3 * (size_t)face, net->dual->flat + 3 * (size_t)face,
+               3 * sizeof(ktg_vec2));
     }
-    for (uint32_t i = count - 1; i > 0; i--)
-        net->below[net->parent[queue[i]]] += net->below[queue[i]];
 }
 
 ktg_status ktg_net_refresh(ktg_context *context, ktg_net *net) {
@@ -190,20 +173,16 @@ ktg_status ktg_net_refresh(ktg_context *context, ktg_net *net) {
 
 static ktg_status allocate(ktg_context *context, ktg_net *net) {
     size_t n = net->dual->face_count;
-    net->parent_edge = ktg_new(context, n, uint32_t);
     net->corners = ktg_new(context, 3 * n, ktg_vec2);
     net->turn = ktg_new(context, n, ktg_vec2);
     net->first = ktg_new(context, n, uint32_t);
     net->weight = ktg_new(context, n, uint32_t);
     net->mark = ktg_new(context, n, uint32_t);
-    net->parent = ktg_new(context, n, uint32_t);
-    net->below = ktg_new(context, n, uint32_t);
-    net->neighbour = ktg_new(context, 3 * n, uint32_t);
     net->queue = ktg_new(context, n, uint32_t);
     double *sizes = ktg_new(context, n, double);
     ktg_status status = KTG_MEMORY;
-    if (net->parent_edge && net->corners && net->turn && net->first && net->weight && net->mark &&
-        net->parent && net->below && net->neighbour && net->queue && sizes) {
+    if (net->corners && net->turn && net->first && net->weight && net->mark && net->queue &&
+        sizes) {
         for (size_t f = 0; f < n; f++) {
             const double *l = net->dual->lengths + 3 * f;
             sizes[f] = fmax(l[0], fmax(l[1], l[2]));
@@ -220,8 +199,10 @@ ktg_status ktg_net_new(ktg_context *context, const ktg_dual *dual, const bool *f
     if (!*net)
         return KTG_MEMORY;
     (*net)->dual = dual;
-    (*net)->folded = ktg_copy_array(context, folded, dual->edge_count, sizeof *folded);
-    ktg_status status = (*net)->folded ? allocate(context, *net) : KTG_MEMORY;
+    ktg_status status = ktg_net_tree_new(context, dual, folded, &(*net)->tree);
+    (*net)->folded = (*net)->tree.folded;
+    if (status == KTG_OK)
+        status = allocate(context, *net);
     if (status == KTG_OK)
         status = ktg_net_refresh(context, *net);
     if (status != KTG_OK)
@@ -231,87 +212,61 @@ ktg_status ktg_net_new(ktg_context *context, const ktg_dual *dual, const bool *f
 
 /* ---- paths and sides ------------------------------------------------------------------------ */
 
-/* Climbs from both faces in turn until one comes where the other has been; then both ways up to
- * there are the path. */
-uint32_t ktg_net_path(ktg_net *net, uint32_t a, uint32_t b, uint32_t *path) {
-    uint32_t of_a = ktg_net_stamp(net), of_b = ktg_net_stamp(net);
-    uint32_t at[2] = {a, b}, meeting = KTG_NONE, count = 0;
-    const uint32_t own[2] = {of_a, of_b};
-    net->mark[a] = of_a;
-    if (a == b)
-        return 0;
-    net->mark[b] = of_b;
-    while (meeting == KTG_NONE) {
-        for (int i = 0; i < 2 && meeting == KTG_NONE; i++) {
-            uint32_t up = at[i] == KTG_NONE ? KTG_NONE : net->parent[at[i]];
-            at[i] = up;
-            if (up == KTG_NONE)
-                continue;
-            if (net->mark[up] == own[1 - i])
-                meeting = up;
-            net->mark[up] = own[i];
-        }
-    }
-    const uint32_t from[2] = {a, b};
-    for (int i = 0; i < 2; i++)
-        for (uint32_t face = from[i]; face != meeting; face = net->parent[face])
-            path[count++] = net->parent_edge[face];
-    return count;
+static uint32_t face_of(const ktg_net *net, const ktg_body *body, uint32_t i) {
+    return ktg_net_part_face(&net->tree, &body->part, i);
 }
 
-/* The face of a fold that hangs from the other. */
-static uint32_t lower_face(const ktg_net *net, uint32_t fold) {
-    const uint32_t *pair = net->dual->edges[fold].halfedge;
-    return net->parent_edge[pair[0] / 3] == fold ? pair[0] / 3 : pair[1] / 3;
+uint32_t ktg_net_path(const ktg_net *net, uint32_t a, uint32_t b, uint32_t *path) {
+    return ktg_net_tree_path(&net->tree, a, b, path);
 }
 
-uint32_t ktg_net_side_count(const ktg_net *net, uint32_t fold) {
-    uint32_t below = net->below[lower_face(net, fold)], all = net->dual->face_count;
-    return below < all - below ? below : all - below;
+ktg_body ktg_net_side(const ktg_net *net, uint32_t fold) {
+    ktg_net_part part = ktg_net_tree_side(&net->tree, fold);
+    return (ktg_body){.part = part, .count = part.count};
 }
 
 bool ktg_net_smaller_side(ktg_net *net, uint32_t fold, uint32_t most, ktg_body *body) {
-    uint32_t from = lower_face(net, fold), count = ktg_net_side_count(net, fold), filled = 1;
-    if (count > most)
+    *body = ktg_net_side(net, fold);
+    if (body->count > most)
         return false;
-    uint32_t other = net->parent[from], stamp = ktg_net_stamp(net), *queue = net->queue;
-    if (net->below[from] != count) {
-        uint32_t swap = from;
-        from = other;
-        other = swap;
+    body->stamp = ktg_net_stamp(net);
+    body->faces = net->queue;
+    for (uint32_t i = 0; i < body->count; i++) {
+        net->queue[i] = face_of(net, body, i);
+        net->mark[net->queue[i]] = body->stamp;
     }
-    /* the other side is left out by marking where it begins */
-    net->mark[from] = net->mark[other] = stamp;
-    queue[0] = from;
-    for (uint32_t i = 0; i < filled; i++) {
-        const uint32_t *neighbours = net->neighbour + 3 * (size_t)queue[i];
-        for (int k = 0; k < 3; k++) {
-            uint32_t next = neighbours[k];
-            if (next == KTG_NONE || net->mark[next] == stamp)
-                continue;
-            net->mark[next] = stamp;
-            queue[filled++] = next;
-        }
-    }
-    net->mark[other] = stamp - 1;
-    *body = (ktg_body){queue, count, stamp};
     return true;
 }
 
 /* ---- transplants ---------------------------------------------------------------------------- */
 
+/* True when the body could hang from the half-edge of one of its faces. */
+static bool is_rim(const ktg_net *net, const ktg_body *body, uint32_t fold, uint32_t h) {
+    uint32_t e = net->dual->halfedge_edge[h];
+    return e != KTG_NONE && e != fold && net->tree.neighbour[h] == KTG_NONE &&
+           !ktg_net_has(net, body, ktg_net_across(net, e, h / 3) / 3);
+}
+
 uint32_t ktg_net_rims(const ktg_net *net, const ktg_body *body, uint32_t fold, uint32_t *edges) {
     uint32_t count = 0;
     for (uint32_t i = 0; i < body->count; i++) {
-        uint32_t face = body->faces[i];
-        for (uint32_t h = 3 * face; h < 3 * face + 3; h++) {
-            uint32_t e = net->dual->halfedge_edge[h];
-            if (e != KTG_NONE && e != fold && !net->folded[e] &&
-                net->mark[ktg_net_across(net, e, face) / 3] != body->stamp)
-                edges[count++] = e;
-        }
+        uint32_t h = 3 * face_of(net, body, i);
+        for (int k = 0; k < 3; k++, h++)
+            if (is_rim(net, body, fold, h))
+                edges[count++] = net->dual->halfedge_edge[h];
     }
     return count;
+}
+
+uint32_t ktg_net_draw_rim(const ktg_net *net, const ktg_body *body, uint32_t fold,
+                          ktg_random *random) {
+    for (int i = 0; i < DRAWS; i++) {
+        size_t k = ktg_random_below(random, 3 * (size_t)body->count);
+        uint32_t h = 3 * face_of(net, body, (uint32_t)(k / 3)) + (uint32_t)(k % 3);
+        if (is_rim(net, body, fold, h))
+            return net->dual->halfedge_edge[h];
+    }
+    return KTG_NONE;
 }
 
 static uint32_t cost_of(const ktg_net *net, uint32_t a, uint32_t b) {
@@ -321,11 +276,11 @@ static uint32_t cost_of(const ktg_net *net, uint32_t a, uint32_t b) {
 uint32_t ktg_net_conflicts_now(const ktg_net *net, const ktg_body *body) {
     uint32_t count = 0;
     for (uint32_t i = 0; i < body->count; i++) {
-        uint32_t face = body->faces[i];
+        uint32_t face = face_of(net, body, i);
         for (uint32_t c = net->first[face]; c != KTG_NONE;) {
             const ktg_conflict *conflict = &net->conflicts[c];
             int end = end_of(conflict, face);
-            if (net->mark[conflict->faces[1 - end]] != body->stamp)
+            if (!ktg_net_has(net, body, conflict->faces[1 - end]))
                 count += cost_of(net, face, conflict->faces[1 - end]);
             c = conflict->next[end];
         }
@@ -335,7 +290,7 @@ uint32_t ktg_net_conflicts_now(const ktg_net *net, const ktg_body *body) {
 
 ktg_motion2 ktg_net_motion(const ktg_net *net, const ktg_body *body, uint32_t edge) {
     const uint32_t *pair = net->dual->edges[edge].halfedge;
-    int inside = net->mark[pair[0] / 3] == body->stamp ? 0 : 1;
+    int inside = ktg_net_has(net, body, pair[0] / 3) ? 0 : 1;
     uint32_t own = pair[inside], other = pair[1 - inside];
     const ktg_vec2 *here = net->corners + 3 * (size_t)(own / 3);
     const ktg_vec2 *there = net->corners + 3 * (size_t)(other / 3);
@@ -351,30 +306,56 @@ static void move_face(const ktg_net *net, uint32_t face, const ktg_motion2 *moti
         moved[k] = ktg_move2(*motion, net->corners[3 * (size_t)face + k]);
 }
 
+/* What the conflicts of one face of the body would cost. */
+static uint32_t cost_moved(const ktg_net *net, const ktg_body *body, uint32_t i,
+                           const ktg_motion2 *motion) {
+    uint32_t cost = 0, face = face_of(net, body, i);
+    ktg_vec2 moved[3];
+    ktg_net_walk walk;
+    move_face(net, face, motion, moved);
+    if (!ktg_net_walk_start(&walk, &net->grid, moved))
+        return 0;
+    for (uint32_t g; (g = ktg_net_walk_next(&walk)) != KTG_NONE;)
+        if (!ktg_net_has(net, body, g) && overlap(net, face, moved, g))
+            cost += cost_of(net, face, g);
+    return cost;
+}
+
+/* A sample of faces spread over a large body comes first, and the others follow as they are listed:
+ * a hopeless place shows soon. */
+static uint32_t count_moved(const ktg_net *net, const ktg_body *body, const ktg_motion2 *motion,
+                            uint32_t most, bool guess) {
+    uint32_t cost = 0, stride = body->count / SAMPLE;
+    if (stride > 1) {
+        for (uint32_t i = 0; i < body->count && cost <= most; i += stride)
+            cost += cost_moved(net, body, i, motion);
+        if (guess && (double)cost * stride > HOPELESS * ((double)most + SAMPLE))
+            return most + 1;
+    }
+    for (uint32_t i = 0; i < body->count && cost <= most; i++)
+        if (stride <= 1 || i % stride > 0)
+            cost += cost_moved(net, body, i, motion);
+    return cost;
+}
+
 uint32_t ktg_net_conflicts_moved(const ktg_net *net, const ktg_body *body,
                                  const ktg_motion2 *motion, uint32_t most) {
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < body->count && count <= most; i++) {
-        ktg_vec2 moved[3];
-        ktg_net_walk walk;
-        move_face(net, body->faces[i], motion, moved);
-        if (!ktg_net_walk_start(&walk, &net->grid, moved))
-            continue;
-        for (uint32_t g; (g = ktg_net_walk_next(&walk)) != KTG_NONE;)
-            if (net->mark[g] != body->stamp && overlap(net, body->faces[i], moved, g))
-                count += cost_of(net, body->faces[i], g);
-    }
-    return count;
+    return count_moved(net, body, motion, most, false);
+}
+
+uint32_t ktg_net_conflicts_guess(const ktg_net *net, const ktg_body *body,
+                                 const ktg_motion2 *motion, uint32_t most) {
+    return count_moved(net, body, motion, most, true);
 }
 
 static void drop_conflicts(ktg_net *net, const ktg_body *body) {
     for (uint32_t i = 0; i < body->count; i++) {
-        uint32_t face = body->faces[i];
+        uint32_t face = face_of(net, body, i);
         for (uint32_t c = net->first[face]; c != KTG_NONE;) {
             const ktg_conflict *conflict = &net->conflicts[c];
             int end = end_of(conflict, face);
             uint32_t next = conflict->next[end];
-            if (net->mark[conflict->faces[1 - end]] != body->stamp)
+            if (!ktg_net_has(net, body, conflict->faces[1 - end]))
                 remove_conflict(net, c);
             c = next;
         }
@@ -383,43 +364,16 @@ static void drop_conflicts(ktg_net *net, const ktg_body *body) {
 
 static ktg_status find_conflicts(ktg_context *context, ktg_net *net, const ktg_body *body) {
     for (uint32_t i = 0; i < body->count; i++) {
-        uint32_t face = body->faces[i];
+        uint32_t face = face_of(net, body, i);
         const ktg_vec2 *corners = net->corners + 3 * (size_t)face;
         ktg_net_walk walk;
         if (!ktg_net_walk_start(&walk, &net->grid, corners))
             continue;
         for (uint32_t g; (g = ktg_net_walk_next(&walk)) != KTG_NONE;)
-            if (net->mark[g] != body->stamp && overlap(net, face, corners, g))
+            if (!ktg_net_has(net, body, g) && overlap(net, face, corners, g))
                 KTG_TRY(add_conflict(context, net, face, g));
     }
     return KTG_OK;
-}
-
-static void add_below(ktg_net *net, uint32_t face, uint32_t count) {
-    for (; face != KTG_NONE; face = net->parent[face])
-        net->below[face] += count;
-}
-
-/* What hangs below `fold` hangs from `edge` now: parents turn round on the way from there up to the
- * fold. Costs what the ways to the root cost. */
-static void hang_from(ktg_net *net, const ktg_body *body, uint32_t fold, uint32_t edge) {
-    uint32_t top = lower_face(net, fold), all = net->below[top];
-    const uint32_t *ends = net->dual->edges[edge].halfedge;
-    bool moves = net->mark[top] == body->stamp;
-    int inside = (net->mark[ends[0] / 3] == body->stamp) == moves ? 0 : 1;
-    uint32_t face = ends[inside] / 3, above = ends[1 - inside] / 3, link = edge, passed = 0;
-    add_below(net, net->parent[top], 0u - all);
-    for (uint32_t next, last = fold; link != last; face = next) {
-        uint32_t up = net->parent_edge[face], below = net->below[face];
-        next = net->parent[face];
-        net->parent_edge[face] = link;
-        net->parent[face] = above;
-        net->below[face] = all - passed;
-        passed = below;
-        above = face;
-        link = up;
-    }
-    add_below(net, ends[1 - inside] / 3, all);
 }
 
 ktg_status ktg_net_transplant(ktg_context *context, ktg_net *net, const ktg_body *body,
@@ -427,14 +381,14 @@ ktg_status ktg_net_transplant(ktg_context *context, ktg_net *net, const ktg_body
     ktg_motion2 motion = ktg_net_motion(net, body, edge);
     drop_conflicts(net, body);
     for (uint32_t i = 0; i < body->count; i++) {
-        ktg_vec2 *turn = &net->turn[body->faces[i]];
+        uint32_t face = face_of(net, body, i);
+        ktg_vec2 *turn = &net->turn[face];
         *turn = ktg_unit2((ktg_vec2){motion.c * turn->x - motion.s * turn->y,
                                      motion.s * turn->x + motion.c * turn->y});
-        move_face(net, body->faces[i], &motion, net->corners + 3 * (size_t)body->faces[i]);
-        put_in_grid(net, body->faces[i]);
+        move_face(net, face, &motion, net->corners + 3 * (size_t)face);
+        put_in_grid(net, face);
     }
-    hang_from(net, body, fold, edge);
-    set_fold(net, fold, false);
-    set_fold(net, edge, true);
-    return find_conflicts(context, net, body);
+    KTG_TRY(find_conflicts(context, net, body));
+    ktg_net_tree_hang(&net->tree, &body->part, fold, edge);
+    return KTG_OK;
 }

@@ -13,6 +13,7 @@
 #define MOST_WEIGHT 1000
 #define TABU_LEAST  30 /* steps for which a changed edge stays as it is: this and */
 #define TABU_MORE   60 /* up to that many more */
+#define LISTED_BODY 64
 #define SMALL_BODY                                                                                 \
     8 /* bodies are at most so many faces large, drawn log-uniformly up to all of them */
 
@@ -37,11 +38,23 @@ static bool is_tabu(const transplant *t, uint32_t edge) {
     return t->tabu_until[edge] > t->step;
 }
 
+/* Where the body could hang: all such edges of a small one, a few drawn at random of a large one.
+ */
+static uint32_t find_rims(transplant *t, const ktg_body *body, uint32_t fold) {
+    uint32_t count = 0;
+    if (body->count <= LISTED_BODY)
+        return ktg_net_rims(t->net, body, fold, t->rims);
+    for (int i = 0; i < EDGES_TRIED; i++) {
+        uint32_t edge = ktg_net_draw_rim(t->net, body, fold, &t->search->random);
+        if (edge != KTG_NONE)
+            t->rims[count++] = edge;
+    }
+    return count;
+}
+
 static void try_fold(transplant *t, uint32_t fold, proposal *best) {
-    ktg_body body;
-    if (!ktg_net_smaller_side(t->net, fold, t->most, &body))
-        return;
-    uint32_t rims = ktg_net_rims(t->net, &body, fold, t->rims);
+    ktg_body body = ktg_net_side(t->net, fold);
+    uint32_t rims = find_rims(t, &body, fold);
     uint32_t now = ktg_net_conflicts_now(t->net, &body);
     for (int tried = 0; tried < EDGES_TRIED && rims > 0;) {
         size_t k = ktg_random_below(&t->search->random, rims);
@@ -55,7 +68,7 @@ static void try_fold(transplant *t, uint32_t fold, proposal *best) {
             return;
         ktg_motion2 motion = ktg_net_motion(t->net, &body, edge);
         int64_t cost =
-            (int64_t)ktg_net_conflicts_moved(t->net, &body, &motion, (uint32_t)limit) - now;
+            (int64_t)ktg_net_conflicts_guess(t->net, &body, &motion, (uint32_t)limit) - now;
         if (cost < best->cost)
             *best = (proposal){fold, edge, cost, true};
     }
@@ -67,7 +80,7 @@ static uint32_t movable(transplant *t, uint32_t length) {
     for (uint32_t k = 0; k < length; k++) {
         uint32_t fold = t->path[k];
         if (!t->net->dual->edges[fold].rigid && !is_tabu(t, fold) &&
-            ktg_net_side_count(t->net, fold) <= t->most)
+            ktg_net_side(t->net, fold).count <= t->most)
             t->path[count++] = fold;
     }
     return count;
@@ -105,9 +118,9 @@ static ktg_status take_step(ktg_context *context, transplant *t) {
     proposal best = find_proposal(t);
     if (!best.found || best.cost >= 0)
         grow_heavier(t);
-    ktg_body body;
-    if (!best.found || !ktg_net_smaller_side(t->net, best.fold, t->most, &body))
+    if (!best.found)
         return KTG_OK;
+    ktg_body body = ktg_net_side(t->net, best.fold);
     KTG_TRY(ktg_net_transplant(context, t->net, &body, best.fold, best.edge));
     t->tabu_until[best.fold] = t->tabu_until[best.edge] =
         t->step + TABU_LEAST + ktg_random_below(&t->search->random, TABU_MORE);

@@ -54,10 +54,10 @@ static void assert_tree(const ktg_net *net) {
     assert_int_equal(folds + 1, net->dual->face_count);
     for (uint32_t f = 0; f < net->dual->face_count; f++) {
         uint32_t face = f, steps = 0;
-        for (; net->parent_edge[face] != KTG_NONE; steps++) {
-            assert_true(net->folded[net->parent_edge[face]]);
+        for (; net->tree.parent_edge[face] != KTG_NONE; steps++) {
+            assert_true(net->folded[net->tree.parent_edge[face]]);
             assert_in_range(steps, 0, net->dual->face_count);
-            face = ktg_net_across(net, net->parent_edge[face], face) / 3;
+            face = ktg_net_across(net, net->tree.parent_edge[face], face) / 3;
         }
         roots += steps == 0;
     }
