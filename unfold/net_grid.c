@@ -12,8 +12,11 @@
 #define MOST_CELLS 1024.0
 /* Farther cells are one, so that level, column and row fit 64 bits: 5, 29 and 29. */
 #define FARTHEST 2.5e8
-/* Looking into a cell costs this part of looking at a face. */
-#define COST_OF_CELL 0.5
+/* Of a cell's width in a box kept as a word: a face reaches from half a cell before its own to half
+ * a cell behind it, so that three cells are enough; they must fit 15 bits. */
+#define PARTS 8192
+/* Looking into a cell costs as much as looking at so many faces. */
+#define COST_OF_CELL 2.0
 
 /* The average of (size / cell)^2. */
 static double cells_of_level(const double *sizes, uint32_t face_count, int level) {
@@ -93,19 +96,21 @@ ktg_status ktg_net_grid_new(ktg_context *context, const double *sizes, uint32_t 
     while (grid->mask < 2 * (size_t)face_count)
         grid->mask = 2 * grid->mask + 1;
     grid->head = ktg_new(context, grid->mask + 1, uint32_t);
-    grid->place = ktg_new(context, face_count, ktg_net_place);
+    grid->blocks = ktg_new(context, face_count, ktg_net_block);
+    grid->block_of = ktg_new(context, face_count, uint32_t);
     grid->level = ktg_new(context, face_count, uint8_t);
     grid->cells_per_unit = ktg_new(context, MOST_LEVELS + 1, double);
     grid->level_first = ktg_new(context, MOST_LEVELS + 2, uint32_t);
     grid->by_level = ktg_new(context, face_count, uint32_t);
-    if (!grid->head || !grid->place || !grid->level || !grid->cells_per_unit ||
+    if (!grid->head || !grid->blocks || !grid->block_of || !grid->level || !grid->cells_per_unit ||
         !grid->level_first || !grid->by_level) {
         ktg_net_grid_free(grid);
         return KTG_MEMORY;
     }
     memset(grid->head, 0xff, (grid->mask + 1) * sizeof *grid->head);
+    memset(grid->block_of, 0xff, face_count * sizeof *grid->block_of);
     for (uint32_t f = 0; f < face_count; f++)
-        grid->place[f].cell = KTG_NET_NOWHERE;
+        grid->blocks[f].next = f + 1 < face_count ? f + 1 : KTG_NONE;
     choose_levels(sizes, face_count, grid);
     join_levels(sizes, grid);
     for (int level = 0; level < grid->level_count; level++)
@@ -116,7 +121,8 @@ ktg_status ktg_net_grid_new(ktg_context *context, const double *sizes, uint32_t 
 
 void ktg_net_grid_free(ktg_net_grid *grid) {
     ktg_free(grid->head);
-    ktg_free(grid->place);
+    ktg_free(grid->blocks);
+    ktg_free(grid->block_of);
     ktg_free(grid->level);
     ktg_free(grid->cells_per_unit);
     ktg_free(grid->level_first);
@@ -139,45 +145,127 @@ static int32_t round_down(double x) {
     return (int32_t)(x + (1 << 28)) - (1 << 28);
 }
 
-static void take_out(ktg_net_grid *grid, uint32_t face) {
-    const ktg_net_place *place = &grid->place[face];
-    if (place->previous != KTG_NONE)
-        grid->place[place->previous].next = place->next;
-    else
-        grid->head[bucket_of(grid, place->cell)] = place->next;
-    if (place->next != KTG_NONE)
-        grid->place[place->next].previous = place->previous;
+static uint32_t slot_of(const ktg_net_block *block, uint32_t face) {
+    uint32_t k = 0;
+    while (block->faces[k] != face)
+        k++;
+    return k;
 }
 
-static void put(ktg_net_grid *grid, uint32_t face, const ktg_flat_box *box, double x, double y) {
-    int level = grid->level[face];
-    double scale = grid->cells_per_unit[level];
-    uint64_t cell = cell_number(level, round_down(x * scale), round_down(y * scale));
-    ktg_net_place *place = &grid->place[face];
-    place->box = *box;
-    if (place->cell == cell)
+static void free_block(ktg_net_grid *grid, uint32_t number) {
+    uint32_t *link = &grid->head[bucket_of(grid, grid->blocks[number].cell)];
+    while (*link != number)
+        link = &grid->blocks[*link].next;
+    *link = grid->blocks[number].next;
+    grid->blocks[number].next = grid->free_block;
+    grid->free_block = number;
+}
+
+/* The same for parts of cells, of which there are more. */
+static int64_t parts_below(double x) {
+    const double most = FARTHEST * PARTS;
+    x = x < -most ? -most : x > most ? most : x;
+    return (int64_t)(x + 0x1p42) - ((int64_t)1 << 42);
+}
+
+static void take_out(ktg_net_grid *grid, uint32_t face) {
+    ktg_net_block *block = &grid->blocks[grid->block_of[face]];
+    uint32_t k = slot_of(block, face), last = --block->count;
+    block->boxes[k] = block->boxes[last];
+    block->faces[k] = block->faces[last];
+    if (block->count == 0)
+        free_block(grid, grid->block_of[face]);
+}
+
+/* A block of the cell with room for one more face. */
+static uint32_t find_room(ktg_net_grid *grid, uint64_t cell) {
+    uint32_t *head = &grid->head[bucket_of(grid, cell)];
+    for (uint32_t b = *head; b != KTG_NONE; b = grid->blocks[b].next)
+        if (grid->blocks[b].cell == cell && grid->blocks[b].count < KTG_NET_BLOCK)
+            return b;
+    uint32_t number = grid->free_block;
+    ktg_net_block *block = &grid->blocks[number];
+    grid->free_block = block->next;
+    block->cell = cell;
+    block->count = 0;
+    block->next = *head;
+    *head = number;
+    return number;
+}
+
+/* ---- boxes in one word ------------------------------------------------------------------------
+ */
+
+#define LANES(a, b, c, d)                                                                          \
+    ((uint64_t)(a) | (uint64_t)(b) << 16 | (uint64_t)(c) << 32 | (uint64_t)(d) << 48)
+#define LANE 0x7fff
+#define HIGH LANES(0x8000, 0x8000, 0x8000, 0x8000)
+
+/* In parts, from one cell before `cell` on. Clamping keeps the order of two numbers or makes them
+ * equal. */
+static uint64_t lane(int64_t parts, int32_t cell) {
+    int64_t x = parts - (int64_t)(cell - 1) * PARTS;
+    return (uint64_t)(x < 0 ? 0 : x > LANE ? LANE : x);
+}
+
+static ktg_net_parts parts_of(const ktg_net_box *box, double cells_per_unit) {
+    double scale = PARTS * cells_per_unit;
+    return (ktg_net_parts){parts_below(box->low.x * scale), parts_below(box->low.y * scale),
+                           parts_below(box->high.x * scale) + 1,
+                           parts_below(box->high.y * scale) + 1};
+}
+
+/* Of a face: no lane may be above that of a word made by `reach`. */
+static uint64_t extent(const ktg_net_parts *box, int32_t x, int32_t y) {
+    return LANES(lane(box->x0, x), lane(box->y0, y), LANE - lane(box->x1, x),
+                 LANE - lane(box->y1, y));
+}
+
+static uint64_t reach(const ktg_net_parts *box, int32_t x, int32_t y) {
+    return HIGH | LANES(lane(box->x1, x), lane(box->y1, y), LANE - lane(box->x0, x),
+                        LANE - lane(box->y0, y));
+}
+
+static bool meet(uint64_t reach, uint64_t extent) {
+    return ((reach - extent) & HIGH) == HIGH;
+}
+
+/* ---- putting faces ----------------------------------------------------------------------------
+ */
+
+/* extent: all lanes 0 meet any box. */
+static void put(ktg_net_grid *grid, uint32_t face, int32_t x, int32_t y, uint64_t extent) {
+    uint64_t cell = cell_number(grid->level[face], x, y);
+    uint32_t *number = &grid->block_of[face];
+    if (*number != KTG_NONE && grid->blocks[*number].cell == cell) {
+        ktg_net_block *block = &grid->blocks[*number];
+        block->boxes[slot_of(block, face)] = extent;
         return;
-    if (place->cell != KTG_NET_NOWHERE)
+    }
+    if (*number != KTG_NONE)
         take_out(grid, face);
-    size_t bucket = bucket_of(grid, cell);
-    place->cell = cell;
-    place->previous = KTG_NONE;
-    place->next = grid->head[bucket];
-    if (place->next != KTG_NONE)
-        grid->place[place->next].previous = face;
-    grid->head[bucket] = face;
+    *number = find_room(grid, cell);
+    ktg_net_block *block = &grid->blocks[*number];
+    block->boxes[block->count] = extent;
+    block->faces[block->count++] = face;
 }
 
 void ktg_net_grid_put(ktg_net_grid *grid, uint32_t face, ktg_vec2 centre) {
-    static const ktg_flat_box everywhere = {-INFINITY, -INFINITY, INFINITY, INFINITY};
-    put(grid, face, &everywhere, centre.x, centre.y);
+    double scale = grid->cells_per_unit[grid->level[face]];
+    put(grid, face, round_down(centre.x * scale), round_down(centre.y * scale), 0);
 }
 
 void ktg_net_grid_put_face(ktg_net_grid *grid, uint32_t face, const ktg_vec2 corners[3]) {
     ktg_net_box box = ktg_net_box_of(corners);
-    ktg_flat_box flat = ktg_flat_box_around(box.low, box.high);
-    put(grid, face, &flat, 0.5 * (box.low.x + box.high.x), 0.5 * (box.low.y + box.high.y));
+    double scale = grid->cells_per_unit[grid->level[face]];
+    ktg_net_parts parts = parts_of(&box, scale);
+    int32_t x = round_down(0.5 * (box.low.x + box.high.x) * scale);
+    int32_t y = round_down(0.5 * (box.low.y + box.high.y) * scale);
+    put(grid, face, x, y, extent(&parts, x, y));
 }
+
+/* ---- walking ----------------------------------------------------------------------------------
+ */
 
 static double least_of(double a, double b, double c) {
     double m = a < b ? a : b;
@@ -203,7 +291,9 @@ static bool is_wide(const ktg_net_range *range, uint32_t faces) {
 
 static void enter_cell(ktg_net_walk *w) {
     w->cell = cell_number(w->level, w->x, w->y);
-    w->face = w->grid->head[bucket_of(w->grid, w->cell)];
+    w->block = w->grid->head[bucket_of(w->grid, w->cell)];
+    w->slot = 0;
+    w->meets = reach(&w->parts, w->x, w->y);
 }
 
 /* A face of a level reaches half a cell beyond its centre at most. */
@@ -213,6 +303,7 @@ static void find_range(ktg_net_walk *w) {
     w->range.y0 = round_down(w->box.low.y * scale - 0.5);
     w->range.x1 = round_down(w->box.high.x * scale + 0.5);
     w->range.y1 = round_down(w->box.high.y * scale + 0.5);
+    w->parts = parts_of(&w->box, scale);
 }
 
 /* Moves on to the next level that holds faces; false when there is none. */
@@ -228,7 +319,7 @@ static bool next_level(ktg_net_walk *w) {
         w->y = w->range.y0;
         if (is_wide(&w->range, end - begin)) {
             w->listed = begin;
-            w->face = KTG_NONE;
+            w->block = KTG_NONE;
             w->x = w->range.x1;
             w->y = w->range.y1;
         } else {
@@ -252,26 +343,34 @@ static bool next_cell(ktg_net_walk *w) {
 bool ktg_net_walk_start(ktg_net_walk *w, const ktg_net_grid *grid, const ktg_vec2 corners[3]) {
     w->grid = grid;
     w->box = ktg_net_box_of(corners);
-    w->flat = ktg_flat_box_around(w->box.low, w->box.high);
     w->level = -1;
     return next_level(w);
 }
 
+/* The next face of the present bucket; KTG_NONE at its end. */
+static uint32_t next_in_bucket(ktg_net_walk *w) {
+    while (w->block != KTG_NONE) {
+        const ktg_net_block *block = &w->grid->blocks[w->block];
+        uint32_t count = block->cell == w->cell ? block->count : 0;
+        while (w->slot < count) {
+            uint32_t k = w->slot++;
+            if (meet(w->meets, block->boxes[k]))
+                return block->faces[k];
+        }
+        w->block = block->next;
+        w->slot = 0;
+    }
+    return KTG_NONE;
+}
+
 /* The next face near the box, KTG_NONE at the end. */
 uint32_t ktg_net_walk_next(ktg_net_walk *w) {
-    const ktg_net_place *place = w->grid->place;
     for (;;) {
-        while (w->listed < w->listed_end) {
-            uint32_t face = w->grid->by_level[w->listed++];
-            if (ktg_flat_boxes_meet(&place[face].box, &w->flat))
-                return face;
-        }
-        while (w->face != KTG_NONE) {
-            uint32_t face = w->face;
-            w->face = place[face].next;
-            if (ktg_flat_boxes_meet(&place[face].box, &w->flat) && place[face].cell == w->cell)
-                return face;
-        }
+        if (w->listed < w->listed_end)
+            return w->grid->by_level[w->listed++];
+        uint32_t face = next_in_bucket(w);
+        if (face != KTG_NONE)
+            return face;
         if (w->level >= w->grid->level_count || !next_cell(w))
             return KTG_NONE;
     }
