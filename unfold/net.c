@@ -269,6 +269,33 @@ uint32_t ktg_net_draw_rim(const ktg_net *net, const ktg_body *body, uint32_t fol
     return KTG_NONE;
 }
 
+/* The half-edge before or after h in its face. */
+static uint32_t beside(uint32_t h, bool forwards) {
+    uint32_t corner = h % 3, other = forwards ? (corner + 1) % 3 : (corner + 2) % 3;
+    return h - corner + other;
+}
+
+uint32_t ktg_net_near_rim(const ktg_net *net, const ktg_body *body, uint32_t fold, uint32_t steps,
+                          bool forwards) {
+    const ktg_dual *dual = net->dual;
+    const uint32_t *pair = dual->edges[fold].halfedge;
+    uint32_t h = ktg_net_has(net, body, pair[0] / 3) ? pair[0] : pair[1];
+    while (steps > 0) {
+        h = beside(h, forwards); /* round the corner, through the body's faces */
+        for (;;) {
+            uint32_t edge = dual->halfedge_edge[h];
+            if (edge == KTG_NONE || edge == fold)
+                return KTG_NONE;
+            uint32_t across = ktg_net_across(net, edge, h / 3);
+            if (!ktg_net_has(net, body, across / 3))
+                break;
+            h = beside(across, forwards);
+        }
+        steps--;
+    }
+    return dual->halfedge_edge[h];
+}
+
 static uint32_t cost_of(const ktg_net *net, uint32_t a, uint32_t b) {
     return 1 + net->weight[a] + net->weight[b];
 }

@@ -85,6 +85,12 @@ uint32_t ktg_net_rims(const ktg_net *net, const ktg_body *body, uint32_t fold, u
 uint32_t ktg_net_draw_rim(const ktg_net *net, const ktg_body *body, uint32_t fold,
                           ktg_random *random);
 
+/* The edge `steps` further along the line where the body and the rest meet, from the fold on, in
+ * one direction or the other: hung there the body moves little. KTG_NONE where the line ends at a
+ * border before. */
+uint32_t ktg_net_near_rim(const ktg_net *net, const ktg_body *body, uint32_t fold, uint32_t steps,
+                          bool forwards);
+
 /* How many conflicts the body has with the rest now. */
 uint32_t ktg_net_conflicts_now(const ktg_net *net, const ktg_body *body);
 

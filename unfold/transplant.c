@@ -7,13 +7,14 @@
 #include <string.h>
 
 /* Chosen by measurement on closed/1000 and closed/2000; docs/unfold.md has the figures. */
-#define FOLDS_TRIED 8   /* folds of the path looked at in a step */
-#define EDGES_TRIED 4   /* places tried for each body */
-#define TEMPERATURE 1.0 /* conflicts a step may cost, on average of the accepted */
-#define MOST_WEIGHT 1000
-#define TABU_LEAST  30 /* steps for which a changed edge stays as it is: this and */
-#define TABU_MORE   60 /* up to that many more */
-#define LISTED_BODY 64
+#define FOLDS_TRIED  8   /* folds of the path looked at in a step */
+#define EDGES_TRIED  4   /* places tried for each body */
+#define TEMPERATURE  1.0 /* conflicts a step may cost, on average of the accepted */
+#define MOST_WEIGHT  1000
+#define TABU_LEAST   30 /* steps for which a changed edge stays as it is: this and */
+#define TABU_MORE    60 /* up to that many more */
+#define LISTED_BODY  64
+#define FARTHEST_RIM 32
 #define SMALL_BODY                                                                                 \
     8 /* bodies are at most so many faces large, drawn log-uniformly up to all of them */
 
@@ -38,14 +39,22 @@ static bool is_tabu(const transplant *t, uint32_t edge) {
     return t->tabu_until[edge] > t->step;
 }
 
+/* Log-uniformly up to FARTHEST_RIM. */
+static uint32_t draw_steps(ktg_random *random) {
+    return (uint32_t)pow(FARTHEST_RIM + 1, ktg_random_unit(random));
+}
+
 /* Where the body could hang: all such edges of a small one, a few drawn at random of a large one.
  */
 static uint32_t find_rims(transplant *t, const ktg_body *body, uint32_t fold) {
     uint32_t count = 0;
+    ktg_random *random = &t->search->random;
     if (body->count <= LISTED_BODY)
         return ktg_net_rims(t->net, body, fold, t->rims);
     for (int i = 0; i < EDGES_TRIED; i++) {
-        uint32_t edge = ktg_net_draw_rim(t->net, body, fold, &t->search->random);
+        uint32_t edge = i % 2
+                            ? ktg_net_draw_rim(t->net, body, fold, random)
+                            : ktg_net_near_rim(t->net, body, fold, draw_steps(random), i % 4 == 0);
         if (edge != KTG_NONE)
             t->rims[count++] = edge;
     }
