@@ -9,8 +9,8 @@
 #define DRAWS 64
 /* Faces of a large body that are tried first, and how many times as many conflicts as would be too
  * many they must stand for to be taken at their word. */
-#define SAMPLE   32
-#define HOPELESS 1.5
+#define SAMPLE   16
+#define HOPELESS 0.8
 
 void ktg_net_free(ktg_net **net) {
     if (!net || !*net)

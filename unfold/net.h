@@ -91,14 +91,13 @@ uint32_t ktg_net_draw_rim(const ktg_net *net, const ktg_body *body, uint32_t fol
 uint32_t ktg_net_near_rim(const ktg_net *net, const ktg_body *body, uint32_t fold, uint32_t steps,
                           bool forwards);
 
-/* How many conflicts the body has with the rest now. */
+/* How many conflicts the body has with the rest now; more when its faces have weights. */
 uint32_t ktg_net_conflicts_now(const ktg_net *net, const ktg_body *body);
 
 /* The motion that brings the body's side of `edge` onto the rest's side. */
 ktg_motion2 ktg_net_motion(const ktg_net *net, const ktg_body *body, uint32_t edge);
 
-/* How many conflicts the body would have with the rest after the motion; stops counting above
- * `most`. */
+/* The same after the motion; stops counting above `most`. */
 uint32_t ktg_net_conflicts_moved(const ktg_net *net, const ktg_body *body,
                                  const ktg_motion2 *motion, uint32_t most);
 

@@ -16,7 +16,7 @@
  * a cell behind it, so that three cells are enough; they must fit 15 bits. */
 #define PARTS 8192
 /* Looking into a cell costs as much as looking at so many faces. */
-#define COST_OF_CELL 2.0
+#define COST_OF_CELL 12.0
 
 /* The average of (size / cell)^2. */
 static double cells_of_level(const double *sizes, uint32_t face_count, int level) {

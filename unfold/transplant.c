@@ -6,17 +6,19 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Chosen by measurement on closed/1000 and closed/2000; docs/unfold.md has the figures. */
-#define FOLDS_TRIED  8   /* folds of the path looked at in a step */
-#define EDGES_TRIED  4   /* places tried for each body */
-#define TEMPERATURE  1.0 /* conflicts a step may cost, on average of the accepted */
-#define MOST_WEIGHT  1000
-#define TABU_LEAST   30 /* steps for which a changed edge stays as it is: this and */
-#define TABU_MORE    60 /* up to that many more */
-#define LISTED_BODY  64
+/* Chosen by measurement on closed/1000, closed/2000 and scale/; docs/unfold.md has the figures. */
+#define FOLDS_TRIED 8    /* folds of the path looked at in a step */
+#define EDGES_TRIED 4    /* places tried for each body */
+#define TEMPERATURE 1.0  /* what a step may cost, on average of the accepted */
+#define MOST_WEIGHT 1000 /* of a face; so sums of costs fit 32 bits */
+#define TABU_LEAST  10   /* steps for which a changed edge stays as it is: this and */
+#define TABU_MORE   20   /* up to that many more */
+/* Bodies are at most so many faces large, drawn log-uniformly from this up to all of them. */
+#define SMALL_BODY 8
+/* All places for bodies up to this large are listed before some are drawn. */
+#define LISTED_BODY 64
+/* How far along its line a larger body may slide, in edges. */
 #define FARTHEST_RIM 32
-#define SMALL_BODY                                                                                 \
-    8 /* bodies are at most so many faces large, drawn log-uniformly up to all of them */
 
 typedef struct transplant {
     ktg_net *net;
@@ -31,7 +33,7 @@ typedef struct transplant {
 
 typedef struct proposal {
     uint32_t fold, edge;
-    int64_t cost; /* conflicts afterwards minus now; anything proposed must cost less */
+    int64_t cost; /* of conflicts afterwards minus now; anything proposed must cost less */
     bool found;
 } proposal;
 
@@ -44,8 +46,9 @@ static uint32_t draw_steps(ktg_random *random) {
     return (uint32_t)pow(FARTHEST_RIM + 1, ktg_random_unit(random));
 }
 
-/* Where the body could hang: all such edges of a small one, a few drawn at random of a large one.
- */
+/* Where the body could hang: all such edges of a small one. Of a large one a few drawn at random
+ * and a few near the fold: far places would throw hundreds of faces onto others, and a conflict
+ * between two large parts may have no other way out. */
 static uint32_t find_rims(transplant *t, const ktg_body *body, uint32_t fold) {
     uint32_t count = 0;
     ktg_random *random = &t->search->random;
