@@ -352,11 +352,15 @@ static uint32_t cost_moved(const ktg_net *net, const ktg_body *body, uint32_t i,
  * a hopeless place shows soon. */
 static uint32_t count_moved(const ktg_net *net, const ktg_body *body, const ktg_motion2 *motion,
                             uint32_t most, bool guess) {
-    uint32_t cost = 0, stride = body->count / SAMPLE;
+    uint32_t cost = 0, largest = 0, stride = body->count / SAMPLE;
     if (stride > 1) {
-        for (uint32_t i = 0; i < body->count && cost <= most; i += stride)
-            cost += cost_moved(net, body, i, motion);
-        if (guess && (double)cost * stride > HOPELESS * ((double)most + SAMPLE))
+        for (uint32_t i = 0; i < body->count && cost <= most; i += stride) {
+            uint32_t own = cost_moved(net, body, i, motion);
+            largest = own > largest ? own : largest;
+            cost += own;
+        }
+        /* one face may be far heavier than all others, and stands for itself only */
+        if (guess && (double)(cost - largest) * stride > HOPELESS * ((double)most + SAMPLE))
             return most + 1;
     }
     for (uint32_t i = 0; i < body->count && cost <= most; i++)
