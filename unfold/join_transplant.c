@@ -14,9 +14,12 @@
 #define MOST_RESTARTS  20
 #define RESTART_JITTER 0.3
 
-/* Steps without a new least number of conflicts after which a run is given up. */
+/* Steps without a new least number of conflicts after which a run is given up. A run needs about
+ * half a step for each face; when a large one stands still for as long as that, a fresh start is
+ * the shorter way. */
 static uint64_t patience_for(const ktg_dual *dual) {
-    return 1500 + dual->face_count;
+    uint64_t faces = dual->face_count;
+    return faces <= 2000 ? 1500 + faces : 3000 + faces / 4;
 }
 
 /* One run; afterwards the net is laid flat anew, so that its conflicts are not those of rounding.

@@ -5,21 +5,27 @@
 
 #include <string.h>
 
+/* Draws for an edge where a body could hang. */
+#define DRAWS 64
+/* Faces of a large body that are tried first, and how many times as many conflicts as would be too
+ * many they must stand for to be taken at their word. */
+#define SAMPLE   16
+#define HOPELESS 0.8
+
 void ktg_net_free(ktg_net **net) {
     if (!net || !*net)
         return;
     ktg_net *n = *net;
-    ktg_free(n->folded);
-    ktg_free(n->parent_edge);
+    ktg_net_tree_free(&n->tree);
     ktg_free(n->corners);
     ktg_free(n->turn);
     ktg_net_grid_free(&n->grid);
     ktg_free(n->conflicts);
     ktg_free(n->live);
     ktg_free(n->first);
+    ktg_free(n->weight);
     ktg_free(n->mark);
-    ktg_free(n->queue[0]);
-    ktg_free(n->queue[1]);
+    ktg_free(n->queue);
     ktg_free(n);
     *net = NULL;
 }
@@ -83,24 +89,14 @@ static void remove_conflict(ktg_net *net, uint32_t id) {
 
 /* ---- faces that overlap a place ------------------------------------------------------------ */
 
-static bool boxes_apart(const ktg_vec2 c[3], const ktg_net_box *box) {
-    return (c[0].x > box->high.x && c[1].x > box->high.x && c[2].x > box->high.x) ||
-           (c[0].x < box->low.x && c[1].x < box->low.x && c[2].x < box->low.x) ||
-           (c[0].y > box->high.y && c[1].y > box->high.y && c[2].y > box->high.y) ||
-           (c[0].y < box->low.y && c[1].y < box->low.y && c[2].y < box->low.y);
-}
-
-static bool overlap(const ktg_net *net, const ktg_net_walk *walk, uint32_t face,
-                    const ktg_vec2 corners[3], uint32_t other) {
-    const ktg_vec2 *c = net->corners + 3 * (size_t)other;
-    return !boxes_apart(c, &walk->box) &&
-           ktg_triangles_overlap(corners, net->dual->lengths + 3 * (size_t)face, c,
+static bool overlap(const ktg_net *net, uint32_t face, const ktg_vec2 corners[3], uint32_t other) {
+    return ktg_triangles_overlap(corners, net->dual->lengths + 3 * (size_t)face,
+                                 net->corners + 3 * (size_t)other,
                                  net->dual->lengths + 3 * (size_t)other, KTG_OVERLAP_DEPTH);
 }
 
 static void put_in_grid(ktg_net *net, uint32_t face) {
-    ktg_net_box box = ktg_net_box_of(net->corners + 3 * (size_t)face);
-    ktg_net_grid_put(&net->grid, face, ktg_mul2(ktg_add2(box.low, box.high), 0.5));
+    ktg_net_grid_put_face(&net->grid, face, net->corners + 3 * (size_t)face);
 }
 
 void ktg_net_shift(ktg_net *net, ktg_vec2 by) {
@@ -140,28 +136,18 @@ static void lay_against(ktg_net *net, uint32_t other, uint32_t own) {
         net->corners[3 * (size_t)face + i] = ktg_move2(m, flat[i]);
 }
 
-/* Breadth first from face 0; parents point back. */
+/* Roots lie where their own frame has them. */
 static void lay_tree(ktg_net *net) {
-    uint32_t stamp = ktg_net_stamp(net), count = 1, *queue = net->queue[0];
-    memcpy(net->corners, net->dual->flat, 3 * sizeof(ktg_vec2));
-    net->parent_edge[0] = KTG_NONE;
-    net->turn[0] = (ktg_vec2){1, 0};
-    net->mark[0] = stamp;
-    queue[0] = 0;
-    for (uint32_t i = 0; i < count; i++) {
-        uint32_t face = queue[i];
-        for (uint32_t h = 3 * face; h < 3 * face + 3; h++) {
-            uint32_t e = net->dual->halfedge_edge[h];
-            if (e == KTG_NONE || !net->folded[e])
-                continue;
-            uint32_t own = ktg_net_across(net, e, face);
-            if (net->mark[own / 3] == stamp)
-                continue;
-            net->mark[own / 3] = stamp;
-            net->parent_edge[own / 3] = e;
-            lay_against(net, h, own);
-            queue[count++] = own / 3;
+    const ktg_net_tree *tree = &net->tree;
+    for (uint32_t k = 0; k < net->dual->face_count; k++) {
+        uint32_t face = tree->order[k], edge = tree->parent_edge[face];
+        if (edge != KTG_NONE) {
+            lay_against(net, ktg_net_across(net, edge, face), ktg_net_own(net, edge, face));
+            continue;
         }
+        net->turn[face] = (ktg_vec2){1, 0};
+        memcpy(net->corners + 3 * (size_t)face, net->dual->flat + 3 * (size_t)face,
+               3 * sizeof(ktg_vec2));
     }
 }
 
@@ -179,7 +165,7 @@ ktg_status ktg_net_refresh(ktg_context *context, ktg_net *net) {
         if (!ktg_net_walk_start(&walk, &net->grid, corners))
             continue;
         for (uint32_t g; (g = ktg_net_walk_next(&walk)) != KTG_NONE;)
-            if (g > f && overlap(net, &walk, f, corners, g))
+            if (g > f && overlap(net, f, corners, g))
                 KTG_TRY(add_conflict(context, net, f, g));
     }
     return KTG_OK;
@@ -187,17 +173,16 @@ ktg_status ktg_net_refresh(ktg_context *context, ktg_net *net) {
 
 static ktg_status allocate(ktg_context *context, ktg_net *net) {
     size_t n = net->dual->face_count;
-    net->parent_edge = ktg_new(context, n, uint32_t);
     net->corners = ktg_new(context, 3 * n, ktg_vec2);
     net->turn = ktg_new(context, n, ktg_vec2);
     net->first = ktg_new(context, n, uint32_t);
+    net->weight = ktg_new(context, n, uint32_t);
     net->mark = ktg_new(context, n, uint32_t);
-    net->queue[0] = ktg_new(context, n, uint32_t);
-    net->queue[1] = ktg_new(context, n, uint32_t);
+    net->queue = ktg_new(context, n, uint32_t);
     double *sizes = ktg_new(context, n, double);
     ktg_status status = KTG_MEMORY;
-    if (net->parent_edge && net->corners && net->turn && net->first && net->mark && net->queue[0] &&
-        net->queue[1] && sizes) {
+    if (net->corners && net->turn && net->first && net->weight && net->mark && net->queue &&
+        sizes) {
         for (size_t f = 0; f < n; f++) {
             const double *l = net->dual->lengths + 3 * f;
             sizes[f] = fmax(l[0], fmax(l[1], l[2]));
@@ -214,8 +199,10 @@ ktg_status ktg_net_new(ktg_context *context, const ktg_dual *dual, const bool *f
     if (!*net)
         return KTG_MEMORY;
     (*net)->dual = dual;
-    (*net)->folded = ktg_copy_array(context, folded, dual->edge_count, sizeof *folded);
-    ktg_status status = (*net)->folded ? allocate(context, *net) : KTG_MEMORY;
+    ktg_status status = ktg_net_tree_new(context, dual, folded, &(*net)->tree);
+    (*net)->folded = (*net)->tree.folded;
+    if (status == KTG_OK)
+        status = allocate(context, *net);
     if (status == KTG_OK)
         status = ktg_net_refresh(context, *net);
     if (status != KTG_OK)
@@ -225,98 +212,103 @@ ktg_status ktg_net_new(ktg_context *context, const ktg_dual *dual, const bool *f
 
 /* ---- paths and sides ------------------------------------------------------------------------ */
 
-static uint32_t parent_of(const ktg_net *net, uint32_t face) {
-    uint32_t e = net->parent_edge[face];
-    return e == KTG_NONE ? KTG_NONE : ktg_net_across(net, e, face) / 3;
+static uint32_t face_of(const ktg_net *net, const ktg_body *body, uint32_t i) {
+    return ktg_net_part_face(&net->tree, &body->part, i);
 }
 
-/* Climbs from both faces in turn until one comes where the other has been; then both ways up to
- * there are the path. */
-uint32_t ktg_net_path(ktg_net *net, uint32_t a, uint32_t b, uint32_t *path) {
-    uint32_t of_a = ktg_net_stamp(net), of_b = ktg_net_stamp(net);
-    uint32_t at[2] = {a, b}, meeting = KTG_NONE, count = 0;
-    const uint32_t own[2] = {of_a, of_b};
-    net->mark[a] = of_a;
-    if (a == b)
-        return 0;
-    net->mark[b] = of_b;
-    while (meeting == KTG_NONE) {
-        for (int i = 0; i < 2 && meeting == KTG_NONE; i++) {
-            uint32_t up = at[i] == KTG_NONE ? KTG_NONE : parent_of(net, at[i]);
-            at[i] = up;
-            if (up == KTG_NONE)
-                continue;
-            if (net->mark[up] == own[1 - i])
-                meeting = up;
-            net->mark[up] = own[i];
-        }
-    }
-    const uint32_t from[2] = {a, b};
-    for (int i = 0; i < 2; i++)
-        for (uint32_t face = from[i]; face != meeting; face = parent_of(net, face))
-            path[count++] = net->parent_edge[face];
-    return count;
+uint32_t ktg_net_path(const ktg_net *net, uint32_t a, uint32_t b, uint32_t *path) {
+    return ktg_net_tree_path(&net->tree, a, b, path);
 }
 
-/* Lets one side grow by the neighbours of its next face. */
-static void grow(ktg_net *net, uint32_t fold, uint32_t *queue, uint32_t *count, uint32_t *done,
-                 uint32_t stamp) {
-    uint32_t face = queue[(*done)++];
-    for (uint32_t h = 3 * face; h < 3 * face + 3; h++) {
-        uint32_t e = net->dual->halfedge_edge[h];
-        if (e == KTG_NONE || e == fold || !net->folded[e])
-            continue;
-        uint32_t other = ktg_net_across(net, e, face) / 3;
-        if (net->mark[other] == stamp)
-            continue;
-        net->mark[other] = stamp;
-        queue[(*count)++] = other;
-    }
+ktg_body ktg_net_side(const ktg_net *net, uint32_t fold) {
+    ktg_net_part part = ktg_net_tree_side(&net->tree, fold);
+    return (ktg_body){.part = part, .count = part.count};
 }
 
 bool ktg_net_smaller_side(ktg_net *net, uint32_t fold, uint32_t most, ktg_body *body) {
-    const uint32_t *pair = net->dual->edges[fold].halfedge;
-    uint32_t count[2] = {1, 1}, done[2] = {0, 0}, stamp[2];
-    for (int i = 0; i < 2; i++) {
-        stamp[i] = ktg_net_stamp(net);
-        net->queue[i][0] = pair[i] / 3;
-        net->mark[pair[i] / 3] = stamp[i];
+    *body = ktg_net_side(net, fold);
+    if (body->count > most)
+        return false;
+    body->stamp = ktg_net_stamp(net);
+    body->faces = net->queue;
+    for (uint32_t i = 0; i < body->count; i++) {
+        net->queue[i] = face_of(net, body, i);
+        net->mark[net->queue[i]] = body->stamp;
     }
-    while (done[0] < count[0] && done[1] < count[1]) {
-        if (done[0] > most)
-            return false;
-        grow(net, fold, net->queue[0], &count[0], &done[0], stamp[0]);
-        grow(net, fold, net->queue[1], &count[1], &done[1], stamp[1]);
-    }
-    int side = done[0] == count[0] ? 0 : 1;
-    *body = (ktg_body){net->queue[side], count[side], stamp[side]};
-    return count[side] <= most;
+    return true;
 }
 
 /* ---- transplants ---------------------------------------------------------------------------- */
 
+/* True when the body could hang from the half-edge of one of its faces. */
+static bool is_rim(const ktg_net *net, const ktg_body *body, uint32_t fold, uint32_t h) {
+    uint32_t e = net->dual->halfedge_edge[h];
+    return e != KTG_NONE && e != fold && net->tree.neighbour[h] == KTG_NONE &&
+           !ktg_net_has(net, body, ktg_net_across(net, e, h / 3) / 3);
+}
+
 uint32_t ktg_net_rims(const ktg_net *net, const ktg_body *body, uint32_t fold, uint32_t *edges) {
     uint32_t count = 0;
     for (uint32_t i = 0; i < body->count; i++) {
-        uint32_t face = body->faces[i];
-        for (uint32_t h = 3 * face; h < 3 * face + 3; h++) {
-            uint32_t e = net->dual->halfedge_edge[h];
-            if (e != KTG_NONE && e != fold && !net->folded[e] &&
-                net->mark[ktg_net_across(net, e, face) / 3] != body->stamp)
-                edges[count++] = e;
-        }
+        uint32_t h = 3 * face_of(net, body, i);
+        for (int k = 0; k < 3; k++, h++)
+            if (is_rim(net, body, fold, h))
+                edges[count++] = net->dual->halfedge_edge[h];
     }
     return count;
+}
+
+uint32_t ktg_net_draw_rim(const ktg_net *net, const ktg_body *body, uint32_t fold,
+                          ktg_random *random) {
+    for (int i = 0; i < DRAWS; i++) {
+        size_t k = ktg_random_below(random, 3 * (size_t)body->count);
+        uint32_t h = 3 * face_of(net, body, (uint32_t)(k / 3)) + (uint32_t)(k % 3);
+        if (is_rim(net, body, fold, h))
+            return net->dual->halfedge_edge[h];
+    }
+    return KTG_NONE;
+}
+
+/* The half-edge before or after h in its face. */
+static uint32_t beside(uint32_t h, bool forwards) {
+    uint32_t corner = h % 3, other = forwards ? (corner + 1) % 3 : (corner + 2) % 3;
+    return h - corner + other;
+}
+
+uint32_t ktg_net_near_rim(const ktg_net *net, const ktg_body *body, uint32_t fold, uint32_t steps,
+                          bool forwards) {
+    const ktg_dual *dual = net->dual;
+    const uint32_t *pair = dual->edges[fold].halfedge;
+    uint32_t h = ktg_net_has(net, body, pair[0] / 3) ? pair[0] : pair[1];
+    while (steps > 0) {
+        h = beside(h, forwards); /* round the corner, through the body's faces */
+        for (;;) {
+            uint32_t edge = dual->halfedge_edge[h];
+            if (edge == KTG_NONE || edge == fold)
+                return KTG_NONE;
+            uint32_t across = ktg_net_across(net, edge, h / 3);
+            if (!ktg_net_has(net, body, across / 3))
+                break;
+            h = beside(across, forwards);
+        }
+        steps--;
+    }
+    return dual->halfedge_edge[h];
+}
+
+static uint32_t cost_of(const ktg_net *net, uint32_t a, uint32_t b) {
+    return 1 + net->weight[a] + net->weight[b];
 }
 
 uint32_t ktg_net_conflicts_now(const ktg_net *net, const ktg_body *body) {
     uint32_t count = 0;
     for (uint32_t i = 0; i < body->count; i++) {
-        uint32_t face = body->faces[i];
+        uint32_t face = face_of(net, body, i);
         for (uint32_t c = net->first[face]; c != KTG_NONE;) {
             const ktg_conflict *conflict = &net->conflicts[c];
             int end = end_of(conflict, face);
-            count += net->mark[conflict->faces[1 - end]] != body->stamp;
+            if (!ktg_net_has(net, body, conflict->faces[1 - end]))
+                count += cost_of(net, face, conflict->faces[1 - end]);
             c = conflict->next[end];
         }
     }
@@ -325,7 +317,7 @@ uint32_t ktg_net_conflicts_now(const ktg_net *net, const ktg_body *body) {
 
 ktg_motion2 ktg_net_motion(const ktg_net *net, const ktg_body *body, uint32_t edge) {
     const uint32_t *pair = net->dual->edges[edge].halfedge;
-    int inside = net->mark[pair[0] / 3] == body->stamp ? 0 : 1;
+    int inside = ktg_net_has(net, body, pair[0] / 3) ? 0 : 1;
     uint32_t own = pair[inside], other = pair[1 - inside];
     const ktg_vec2 *here = net->corners + 3 * (size_t)(own / 3);
     const ktg_vec2 *there = net->corners + 3 * (size_t)(other / 3);
@@ -341,29 +333,60 @@ static void move_face(const ktg_net *net, uint32_t face, const ktg_motion2 *moti
         moved[k] = ktg_move2(*motion, net->corners[3 * (size_t)face + k]);
 }
 
+/* What the conflicts of one face of the body would cost. */
+static uint32_t cost_moved(const ktg_net *net, const ktg_body *body, uint32_t i,
+                           const ktg_motion2 *motion) {
+    uint32_t cost = 0, face = face_of(net, body, i);
+    ktg_vec2 moved[3];
+    ktg_net_walk walk;
+    move_face(net, face, motion, moved);
+    if (!ktg_net_walk_start(&walk, &net->grid, moved))
+        return 0;
+    for (uint32_t g; (g = ktg_net_walk_next(&walk)) != KTG_NONE;)
+        if (!ktg_net_has(net, body, g) && overlap(net, face, moved, g))
+            cost += cost_of(net, face, g);
+    return cost;
+}
+
+/* A sample of faces spread over a large body comes first, and the others follow as they are listed:
+ * a hopeless place shows soon. */
+static uint32_t count_moved(const ktg_net *net, const ktg_body *body, const ktg_motion2 *motion,
+                            uint32_t most, bool guess) {
+    uint32_t cost = 0, largest = 0, stride = body->count / SAMPLE;
+    if (stride > 1) {
+        for (uint32_t i = 0; i < body->count && cost <= most; i += stride) {
+            uint32_t own = cost_moved(net, body, i, motion);
+            largest = own > largest ? own : largest;
+            cost += own;
+        }
+        /* one face may be far heavier than all others, and stands for itself only */
+        if (guess && (double)(cost - largest) * stride > HOPELESS * ((double)most + SAMPLE))
+            return most + 1;
+    }
+    for (uint32_t i = 0; i < body->count && cost <= most; i++)
+        if (stride <= 1 || i % stride > 0)
+            cost += cost_moved(net, body, i, motion);
+    return cost;
+}
+
 uint32_t ktg_net_conflicts_moved(const ktg_net *net, const ktg_body *body,
                                  const ktg_motion2 *motion, uint32_t most) {
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < body->count && count <= most; i++) {
-        ktg_vec2 moved[3];
-        ktg_net_walk walk;
-        move_face(net, body->faces[i], motion, moved);
-        if (!ktg_net_walk_start(&walk, &net->grid, moved))
-            continue;
-        for (uint32_t g; (g = ktg_net_walk_next(&walk)) != KTG_NONE;)
-            count += net->mark[g] != body->stamp && overlap(net, &walk, body->faces[i], moved, g);
-    }
-    return count;
+    return count_moved(net, body, motion, most, false);
+}
+
+uint32_t ktg_net_conflicts_guess(const ktg_net *net, const ktg_body *body,
+                                 const ktg_motion2 *motion, uint32_t most) {
+    return count_moved(net, body, motion, most, true);
 }
 
 static void drop_conflicts(ktg_net *net, const ktg_body *body) {
     for (uint32_t i = 0; i < body->count; i++) {
-        uint32_t face = body->faces[i];
+        uint32_t face = face_of(net, body, i);
         for (uint32_t c = net->first[face]; c != KTG_NONE;) {
             const ktg_conflict *conflict = &net->conflicts[c];
             int end = end_of(conflict, face);
             uint32_t next = conflict->next[end];
-            if (net->mark[conflict->faces[1 - end]] != body->stamp)
+            if (!ktg_net_has(net, body, conflict->faces[1 - end]))
                 remove_conflict(net, c);
             c = next;
         }
@@ -372,42 +395,16 @@ static void drop_conflicts(ktg_net *net, const ktg_body *body) {
 
 static ktg_status find_conflicts(ktg_context *context, ktg_net *net, const ktg_body *body) {
     for (uint32_t i = 0; i < body->count; i++) {
-        uint32_t face = body->faces[i];
+        uint32_t face = face_of(net, body, i);
         const ktg_vec2 *corners = net->corners + 3 * (size_t)face;
         ktg_net_walk walk;
         if (!ktg_net_walk_start(&walk, &net->grid, corners))
             continue;
         for (uint32_t g; (g = ktg_net_walk_next(&walk)) != KTG_NONE;)
-            if (net->mark[g] != body->stamp && overlap(net, &walk, face, corners, g))
+            if (!ktg_net_has(net, body, g) && overlap(net, face, corners, g))
                 KTG_TRY(add_conflict(context, net, face, g));
     }
     return KTG_OK;
-}
-
-/* The part that hangs from the root below `fold` turns its parents round on the way from `edge` up
- * to the fold. */
-static void regrow(ktg_net *net, uint32_t fold, uint32_t edge) {
-    const uint32_t *pair = net->dual->edges[fold].halfedge;
-    uint32_t top = net->parent_edge[pair[0] / 3] == fold ? pair[0] / 3 : pair[1] / 3;
-    const uint32_t *ends = net->dual->edges[edge].halfedge;
-    /* exactly one end of the new edge lies below the fold: the one whose way up passes `top` */
-    uint32_t below = ends[0] / 3;
-    for (uint32_t face = below; face != top; face = parent_of(net, face)) {
-        if (parent_of(net, face) == KTG_NONE) {
-            below = ends[1] / 3;
-            break;
-        }
-    }
-    uint32_t link = edge;
-    for (uint32_t face = below;;) {
-        uint32_t up = net->parent_edge[face];
-        uint32_t above = face == top ? KTG_NONE : parent_of(net, face);
-        net->parent_edge[face] = link;
-        if (face == top)
-            return;
-        link = up;
-        face = above;
-    }
 }
 
 ktg_status ktg_net_transplant(ktg_context *context, ktg_net *net, const ktg_body *body,
@@ -415,14 +412,14 @@ ktg_status ktg_net_transplant(ktg_context *context, ktg_net *net, const ktg_body
     ktg_motion2 motion = ktg_net_motion(net, body, edge);
     drop_conflicts(net, body);
     for (uint32_t i = 0; i < body->count; i++) {
-        ktg_vec2 *turn = &net->turn[body->faces[i]];
+        uint32_t face = face_of(net, body, i);
+        ktg_vec2 *turn = &net->turn[face];
         *turn = ktg_unit2((ktg_vec2){motion.c * turn->x - motion.s * turn->y,
                                      motion.s * turn->x + motion.c * turn->y});
-        move_face(net, body->faces[i], &motion, net->corners + 3 * (size_t)body->faces[i]);
-        put_in_grid(net, body->faces[i]);
+        move_face(net, face, &motion, net->corners + 3 * (size_t)face);
+        put_in_grid(net, face);
     }
-    regrow(net, fold, edge);
-    net->folded[fold] = false;
-    net->folded[edge] = true;
-    return find_conflicts(context, net, body);
+    KTG_TRY(find_conflicts(context, net, body));
+    ktg_net_tree_hang(&net->tree, &body->part, fold, edge);
+    return KTG_OK;
 }

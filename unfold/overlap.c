@@ -14,6 +14,10 @@ static float up(double x) {
     return f + fabsf(f) * 0x1p-22f;
 }
 
+ktg_flat_box ktg_flat_box_around(ktg_vec2 low, ktg_vec2 high) {
+    return (ktg_flat_box){down(low.x), down(low.y), up(high.x), up(high.y)};
+}
+
 ktg_flat_box ktg_flat_box_of(const ktg_vec2 c[3]) {
     double x0 = fmin(c[0].x, fmin(c[1].x, c[2].x)), x1 = fmax(c[0].x, fmax(c[1].x, c[2].x));
     double y0 = fmin(c[0].y, fmin(c[1].y, c[2].y)), y1 = fmax(c[0].y, fmax(c[1].y, c[2].y));

@@ -13,6 +13,8 @@ static inline bool ktg_flat_boxes_meet(const ktg_flat_box *a, const ktg_flat_box
     return (a->x0 <= b->x1) & (b->x0 <= a->x1) & (a->y0 <= b->y1) & (b->y0 <= a->y1);
 }
 
+/* The box from `low` to `high`. */
+ktg_flat_box ktg_flat_box_around(ktg_vec2 low, ktg_vec2 high);
 /* The box of three corners. */
 ktg_flat_box ktg_flat_box_of(const ktg_vec2 corners[3]);
 /* Grows *box to hold other. */

@@ -54,14 +54,32 @@ static void assert_tree(const ktg_net *net) {
     assert_int_equal(folds + 1, net->dual->face_count);
     for (uint32_t f = 0; f < net->dual->face_count; f++) {
         uint32_t face = f, steps = 0;
-        for (; net->parent_edge[face] != KTG_NONE; steps++) {
-            assert_true(net->folded[net->parent_edge[face]]);
+        for (; net->tree.parent_edge[face] != KTG_NONE; steps++) {
+            assert_true(net->folded[net->tree.parent_edge[face]]);
             assert_in_range(steps, 0, net->dual->face_count);
-            face = ktg_net_across(net, net->parent_edge[face], face) / 3;
+            face = ktg_net_across(net, net->tree.parent_edge[face], face) / 3;
         }
         roots += steps == 0;
     }
     assert_int_equal(roots, 1);
+}
+
+/* What hangs from a face follows it in the list, in one run. */
+static void assert_listed(ktg_context *context, const ktg_net *net) {
+    const ktg_net_tree *tree = &net->tree;
+    uint32_t n = net->dual->face_count, *below = ktg_new(context, n, uint32_t);
+    for (uint32_t k = n; k-- > 0;) {
+        uint32_t face = tree->order[k], parent = tree->parent[face];
+        assert_int_equal(tree->place[face], k);
+        assert_int_equal(++below[face], tree->below[face]);
+        if (parent == KTG_NONE)
+            continue;
+        assert_int_equal(ktg_net_across(net, tree->parent_edge[face], face) / 3, parent);
+        assert_true(k - tree->place[parent] < tree->below[parent]);
+        assert_true(k + tree->below[face] <= tree->place[parent] + tree->below[parent]);
+        below[parent] += below[face];
+    }
+    ktg_free(below);
 }
 
 /* Both faces of every fold lie on each other along it. */
@@ -109,11 +127,66 @@ static void paths_and_sides_are_those_of_the_tree(void **state) {
     drop(&f);
 }
 
+static bool is_among(uint32_t edge, const uint32_t *edges, uint32_t count) {
+    for (uint32_t k = 0; k < count; k++)
+        if (edges[k] == edge)
+            return true;
+    return false;
+}
+
+static void drawn_and_near_rims_are_rims(void **state) {
+    fixture f = start(*state, shape_knot(*state, 40, 8));
+    uint32_t *rims = ktg_new(*state, 3 * (size_t)f.dual->face_count, uint32_t), found = 0;
+    ktg_random random;
+    ktg_random_seed(&random, 7);
+    for (uint32_t fold = 0; fold < f.dual->edge_count; fold++) {
+        if (!f.net->folded[fold])
+            continue;
+        ktg_body body = ktg_net_side(f.net, fold);
+        uint32_t count = ktg_net_rims(f.net, &body, fold, rims);
+        for (uint32_t steps = 1; steps < 20; steps++) {
+            uint32_t near = ktg_net_near_rim(f.net, &body, fold, steps, steps % 2);
+            uint32_t drawn = ktg_net_draw_rim(f.net, &body, fold, &random);
+            assert_true(near == KTG_NONE || is_among(near, rims, count));
+            assert_true(drawn == KTG_NONE || is_among(drawn, rims, count));
+            found += (near != KTG_NONE) + (drawn != KTG_NONE);
+        }
+    }
+    assert_true(found > f.dual->face_count);
+    ktg_free(rims);
+    drop(&f);
+}
+
+static void weights_count_and_a_guess_never_hides_a_free_place(void **state) {
+    fixture f = start(*state, shape_knot(*state, 40, 8));
+    uint32_t *rims = ktg_new(*state, 3 * (size_t)f.dual->face_count, uint32_t);
+    for (uint32_t fold = 0; fold < f.dual->edge_count; fold++) {
+        if (!f.net->folded[fold])
+            continue;
+        ktg_body body = ktg_net_side(f.net, fold);
+        if (ktg_net_rims(f.net, &body, fold, rims) == 0)
+            continue;
+        ktg_motion2 motion = ktg_net_motion(f.net, &body, rims[0]);
+        uint32_t now = ktg_net_conflicts_now(f.net, &body);
+        uint32_t then = ktg_net_conflicts_moved(f.net, &body, &motion, 100000);
+        uint32_t guess = ktg_net_conflicts_guess(f.net, &body, &motion, 3);
+        assert_int_equal(guess == 0, then == 0);
+        assert_true(guess > 3 || guess == then);
+        for (uint32_t face = 0; face < f.dual->face_count; face++)
+            f.net->weight[face] = 2;
+        assert_int_equal(ktg_net_conflicts_now(f.net, &body), 5 * now);
+        assert_int_equal(ktg_net_conflicts_moved(f.net, &body, &motion, 100000), 5 * then);
+        memset(f.net->weight, 0, f.dual->face_count * sizeof *f.net->weight);
+    }
+    ktg_free(rims);
+    drop(&f);
+}
+
 static void transplants_keep_the_books(void **state) {
     fixture f = start(*state, shape_knot(*state, 40, 8));
     ktg_random random;
     ktg_random_seed(&random, 5);
-    int done = 0;
+    int done = 0, with_root = 0;
     for (int trial = 0; trial < 100000 && done < 150; trial++) {
         uint32_t fold = (uint32_t)ktg_random_below(&random, f.dual->edge_count);
         uint32_t edge = (uint32_t)ktg_random_below(&random, f.dual->edge_count);
@@ -130,10 +203,13 @@ static void transplants_keep_the_books(void **state) {
         uint32_t then = ktg_net_conflicts_moved(f.net, &body, &motion, UINT32_MAX - 1);
         assert_int_equal(ktg_net_transplant(*state, f.net, &body, fold, edge), KTG_OK);
         assert_int_equal(f.net->live_count, before - now + then);
+        with_root += body.part.gap > 0;
+        assert_listed(*state, f.net);
         if (done++ % 10 == 0)
             assert_int_equal(f.net->live_count, slow_conflicts(f.net));
     }
     assert_int_equal(done, 150);
+    assert_true(with_root > 0); /* such bodies are two runs of the list */
     assert_tree(f.net);
     assert_laid(f.net);
     size_t live = f.net->live_count;
@@ -234,6 +310,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_fresh_net_knows_all_its_overlaps),
         cmocka_unit_test(paths_and_sides_are_those_of_the_tree),
+        cmocka_unit_test(drawn_and_near_rims_are_rims),
+        cmocka_unit_test(weights_count_and_a_guess_never_hides_a_free_place),
         cmocka_unit_test(transplants_keep_the_books),
         cmocka_unit_test(the_search_ends_without_overlaps),
         cmocka_unit_test(annealing_makes_a_net_compact_and_keeps_it_free_of_overlaps),
