@@ -8,15 +8,15 @@
 #ifndef KTG_UNFOLD_ARRANGE_H
 #define KTG_UNFOLD_ARRANGE_H
 
-#include "unfold/search.h"
 #include "unfold/seam_tabs.h"
+#include "unfold/search.h"
 
 typedef struct ktg_arrange_goal {
     ktg_vec2 half; /* half of the printable area each piece should fit, in the dual's unit */
     const ktg_seam_tab_wish *tabs; /* NULL: none */
-    bool fixed;                    /* the scale: sheet and tabs keep their size */
-    double ease;                   /* weight of what makes a net easy to assemble; 0: none */
-    uint64_t work;                 /* counted in faces looked at; docs/unfold.md: about 10^7 a second */
+    bool fixed;    /* the scale: sheet and tabs keep their size, instead of following what is
+                      reached */
+    uint64_t work; /* counted in faces looked at; about ten million a second */
 } ktg_arrange_goal;
 
 /* folded: edge_count flags of a forest whose trees have no overlaps; so it is afterwards, with as

@@ -238,9 +238,10 @@ static uint32_t face_conflicts(const ktg_arrangement *a, const ktg_branch *branc
 }
 
 uint32_t ktg_graft_conflicts(const ktg_arrangement *a, const ktg_branch *branch,
-                        const ktg_graft *graft, uint32_t most) {
+                             const ktg_graft *graft, uint32_t most) {
     static const ktg_motion2 still = {1, 0, {0, 0}};
-    uint32_t sheet = graft ? a->piece[graft->other / 3] : a->piece[branch->top], last = branch->first + branch->count;
+    uint32_t sheet = graft ? a->piece[graft->other / 3] : a->piece[branch->top],
+             last = branch->first + branch->count;
     uint32_t start = graft ? a->place[graft->own / 3] : branch->first, count = 0;
     const ktg_motion2 *motion = graft ? &graft->motion : &still;
     for (uint32_t i = start; i < last && count <= most; i++)

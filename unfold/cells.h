@@ -22,10 +22,10 @@ typedef struct ktg_cell_range {
 
 typedef struct ktg_cells {
     uint32_t columns, rows, sheets, item_count;
-    double per_unit;  /* cells in a unit of length */
-    ktg_vec2 low;     /* lower left corner of each sheet's cells */
-    ktg_cell *cells;  /* sheets x rows x columns */
-    uint32_t *sheet;  /* item_count: where an item is; KTG_NONE: nowhere */
+    double per_unit;        /* cells in a unit of length */
+    ktg_vec2 low;           /* lower left corner of each sheet's cells */
+    ktg_cell *cells;        /* sheets x rows x columns */
+    uint32_t *sheet;        /* item_count: where an item is; KTG_NONE: nowhere */
     ktg_cell_range *ranges; /* item_count */
     ktg_flat_box *boxes;    /* item_count */
 } ktg_cells;

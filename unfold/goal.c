@@ -1,11 +1,9 @@
 /* unfold/goal.c - sheets and tabs in the unit of the dual graph. */
 #include "unfold/goal.h"
-#include <stdlib.h>
-static double P(const char *n, double d) { const char *s = getenv(n); return s ? atof(s) : d; }
 
 /* Parts of the sheet that faces fill at best, without tabs and with tabs. */
 #define FILL_BARE 0.55
-#define FILL_TABS 0.46
+#define FILL_TABS 0.42
 
 /* Kept between a tab and everything else, in mm: a little more than tabs need in the end. */
 #define AIR_MM 0.15
@@ -19,7 +17,7 @@ double ktg_goal_mm(const ktg_unfold_options *o, double area, double scale) {
     if (o->mm_per_unit > 0)
         return o->mm_per_unit / scale;
     ktg_vec2 sheet = printable(o);
-    double fill = o->finish.tab_height_mm > 0 ? P("FT",FILL_TABS) : P("FB",FILL_BARE);
+    double fill = o->finish.tab_height_mm > 0 ? FILL_TABS : FILL_BARE;
     return sqrt(fill * sheet.x * sheet.y / area);
 }
 
@@ -32,7 +30,8 @@ bool ktg_goal_tabs(const ktg_unfold_options *o, double mm, ktg_seam_tab_wish *wi
                                 .edge = f->tab_edge_mm / mm,
                                 .inset = f->tab_inset_mm / mm,
                                 .air = AIR_MM / mm,
-                                .cot = 1 / tan(f->tab_flank)};
+                                .cot = 1 / tan(f->tab_flank),
+                                .half = ktg_goal_half(o, mm, 1)};
     return true;
 }
 

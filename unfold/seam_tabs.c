@@ -4,6 +4,10 @@
 
 #include <string.h>
 
+/* Price of a tab that stands out of the sheet by its half, and the most it can be. */
+#define STANDING_OUT      10.0
+#define STANDING_OUT_MOST 0.5
+
 void ktg_seam_tabs_free(ktg_seam_tabs **tabs) {
     if (!tabs || !*tabs)
         return;
@@ -221,8 +225,8 @@ static void cut_under(const ktg_seam_tabs *t, uint32_t mate, const ktg_tab_wish 
 }
 
 /* Cuts the shape back by what lies beside the face that carries it: faces, and tabs on request. */
-static bool cut_beside(const ktg_seam_tabs *t, uint32_t own, bool by_tabs,
-                       const ktg_tab_wish *wish, ktg_trapezoid *shape) {
+static bool cut_beside(const ktg_seam_tabs *t, uint32_t own, bool by_tabs, const ktg_tab_wish *wish,
+                       ktg_trapezoid *shape) {
     const ktg_arrangement *a = t->a;
     frame outer = outer_frame(a, own);
     uint32_t sheet = a->piece[own / 3], faces = a->dual->face_count;
@@ -246,6 +250,16 @@ static bool cut_beside(const ktg_seam_tabs *t, uint32_t own, bool by_tabs,
     return true;
 }
 
+/* A tab beyond the edge of its sheet makes the model smaller. */
+static double price_of_standing_out(const ktg_seam_tabs *t, uint32_t own,
+                                    const ktg_trapezoid *shape) {
+    frame outer = outer_frame(t->a, own);
+    ktg_flat_box box = box_around(shape, &outer, 0);
+    double x = fmax(-(double)box.x0, box.x1) / t->wish.half.x;
+    double y = fmax(-(double)box.y0, box.y1) / t->wish.half.y, out = fmax(x, y) - 1;
+    return out > 0 ? fmin(STANDING_OUT_MOST, STANDING_OUT * out) : 0;
+}
+
 /* The best shape on one side of the edge, and its price. */
 static double find_shape(const ktg_seam_tabs *t, uint32_t e, int side, bool by_tabs, double part,
                          ktg_trapezoid *shape) {
@@ -261,7 +275,7 @@ static double find_shape(const ktg_seam_tabs *t, uint32_t e, int side, bool by_t
     if (!ktg_trapezoid_is_tab(shape, &slot->wish) ||
         !cut_beside(t, own, by_tabs, &slot->wish, shape))
         return 1;
-    return price_of(shape, &slot->wish);
+    return price_of(shape, &slot->wish) + price_of_standing_out(t, own, shape);
 }
 
 ktg_status ktg_seam_tabs_choose(ktg_context *context, ktg_seam_tabs *t, uint32_t e) {

@@ -17,6 +17,7 @@ typedef struct ktg_seam_tab_wish {
     double edge;          /* shorter edges go without */
     double inset, air;    /* kept from the borders of the mate's face, and from everything else */
     double cot;           /* cotangent of the steepest flank angle */
+    ktg_vec2 half;        /* half of the sheet: tabs that stand out of it cost more */
 } ktg_seam_tab_wish;
 
 /* The price of an edge whose tab is missing is 1, of one with a reduced tab between these. */

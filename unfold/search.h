@@ -10,10 +10,10 @@ typedef struct ktg_search {
     ktg_random random;
     double deadline;                /* monotonic seconds; 0: none */
     uint32_t faces_done, faces_all; /* for progress: of finished components, of all */
-    double mm, area_all;            /* millimetres in a normalised unit, and the area of all faces */
-    uint32_t generations_before;    /* spent on those components */
-    double seconds;                 /* spent by transplants until there was one piece */
-    double told;                    /* the progress told last */
+    double mm, area_all;         /* millimetres in a normalised unit, and the area of all faces */
+    uint32_t generations_before; /* spent on those components */
+    double seconds;              /* spent by transplants until there was one piece */
+    double told;                 /* the progress told last */
     ktg_unfold_report report;
 } ktg_search;
 

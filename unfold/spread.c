@@ -22,21 +22,25 @@ static double raised(double x, int power) {
     return power == 4 ? x4 : power == 8 ? x8 : x8 * x8;
 }
 
-static double cost_at(const ktg_spread *s, uint32_t face, ktg_vec2 middle) {
-    return s->area[face] *
-           (raised(middle.x * s->per.x, s->power) + raised(middle.y * s->per.y, s->power));
-}
-
-static ktg_vec2 middle_of(const ktg_arrangement *a, uint32_t face) {
-    const ktg_vec2 *p = a->corners + 3 * (size_t)face;
-    return (ktg_vec2){(p[0].x + p[1].x + p[2].x) / 3, (p[0].y + p[1].y + p[2].y) / 3};
+/* A face costs its area times the distances of its corner that is furthest out, along x and along
+ * y: what counts in the end is what stands out. */
+static double cost_at(const ktg_spread *s, uint32_t face, const ktg_motion2 *motion) {
+    const ktg_vec2 *p = s->a->corners + 3 * (size_t)face;
+    double x = 0, y = 0;
+    for (int k = 0; k < 3; k++) {
+        ktg_vec2 q = motion ? ktg_move2(*motion, p[k]) : p[k];
+        q = (ktg_vec2){fabs(q.x), fabs(q.y)};
+        x = q.x > x ? q.x : x;
+        y = q.y > y ? q.y : y;
+    }
+    return s->area[face] * (raised(x * s->per.x, s->power) + raised(y * s->per.y, s->power));
 }
 
 void ktg_spread_recount(ktg_spread *s, int power) {
     s->power = power;
     s->total = 0;
     for (uint32_t f = 0; f < s->a->dual->face_count; f++)
-        s->total += s->cost[f] = cost_at(s, f, middle_of(s->a, f));
+        s->total += s->cost[f] = cost_at(s, f, NULL);
 }
 
 ktg_status ktg_spread_new(ktg_context *context, const ktg_arrangement *a, ktg_vec2 half,
@@ -69,7 +73,7 @@ bool ktg_spread_allows(const ktg_spread *s, const ktg_branch *branch, const ktg_
         before += s->cost[faces[i]];
     double most = before + allowed;
     for (uint32_t i = 0; i < branch->count; i++) {
-        after += cost_at(s, faces[i], ktg_move2(graft->motion, middle_of(s->a, faces[i])));
+        after += cost_at(s, faces[i], &graft->motion);
         if (after > most) {
             *work += i;
             return false;
@@ -83,7 +87,7 @@ bool ktg_spread_allows(const ktg_spread *s, const ktg_branch *branch, const ktg_
 void ktg_spread_follow(ktg_spread *s, const ktg_branch *branch) {
     for (uint32_t i = 0; i < branch->count; i++) {
         uint32_t face = s->a->order[branch->first + i];
-        double cost = cost_at(s, face, middle_of(s->a, face));
+        double cost = cost_at(s, face, NULL);
         s->total += cost - s->cost[face];
         s->cost[face] = cost;
     }
@@ -93,7 +97,7 @@ static double turned_cost(const ktg_spread *s, uint32_t piece, const ktg_motion2
     double sum = 0;
     for (uint32_t f = 0; f < s->a->dual->face_count; f++)
         if (s->a->piece[f] == piece)
-            sum += cost_at(s, f, ktg_move2(*turn, middle_of(s->a, f)));
+            sum += cost_at(s, f, turn);
     return sum;
 }
 

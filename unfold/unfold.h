@@ -37,14 +37,14 @@ typedef struct ktg_edge_rule {
 
 /* Section 5 of the paper, where nothing else is said. ktg_unfold_defaults gives its values. */
 typedef struct ktg_unfold_options {
-    ktg_unfold_method method; /* auto */
-    ktg_effort effort;        /* normal */
+    ktg_unfold_method method;  /* auto */
+    ktg_effort effort;         /* normal */
     ktg_sheet_format sheet;    /* what a piece should fill; A4 */
     ktg_finish_options finish; /* the tabs it should have room for; those of ktg_finish_defaults */
-    double mm_per_unit; /* the scale; 0: as large as the sheet allows, which is found out later */
-    uint32_t population;   /* chromosomes in a generation, at least 4; 32 */
-    uint32_t generations;  /* at most this many; 2000 */
-    uint32_t patience;     /* stop after so many generations without gain; 30 */
+    double mm_per_unit;   /* the scale; 0: as large as the sheet allows, which is found out later */
+    uint32_t population;  /* chromosomes in a generation, at least 4; 32 */
+    uint32_t generations; /* at most this many; 2000 */
+    uint32_t patience;    /* stop after so many generations without gain; 30 */
     double crossover_rate; /* 0..1; 0.8 */
     double mutation_rate;  /* 0..1; 0.1 */
     uint32_t restarts;     /* fresh starts from other strips while a component is in several pieces;
