@@ -9,6 +9,7 @@
 #include "unfold/join.h"
 #include "unfold/pieces.h"
 #include "unfold/rules.h"
+#include "unfold/sheets.h"
 
 #include <string.h>
 
@@ -78,8 +79,9 @@ static void mark_folds(const ktg_dual *dual, const ktg_adjacency *adjacency, con
  * several pieces. */
 #define SECOND_CHANCE 2000
 
-static ktg_status join(ktg_context *context, const ktg_dual *dual,
-                       const ktg_unfold_options *options, ktg_search *search, bool *joined) {
+static ktg_status join_freely(ktg_context *context, const ktg_dual *dual,
+                              const ktg_unfold_options *options, ktg_search *search,
+                              bool *joined) {
     uint32_t pieces = 0, other = 0;
     if (options->method == KTG_METHOD_GENETIC)
         return ktg_join_genetic(context, dual, options, search, joined, &pieces);
@@ -93,6 +95,17 @@ static ktg_status join(ktg_context *context, const ktg_dual *dual,
         memcpy(joined, trial, dual->edge_count * sizeof *joined);
     ktg_free(trial);
     return status;
+}
+
+/* As few pieces as there can be, or as the sheet allows. */
+static ktg_status join(ktg_context *context, const ktg_dual *dual,
+                       const ktg_unfold_options *options, ktg_search *search, bool *joined) {
+    uint32_t pieces = 0;
+    if (!ktg_sheets_wanted(options))
+        return join_freely(context, dual, options, search, joined);
+    if (ktg_sheets_least(dual, options, search) == 1)
+        KTG_TRY(join_freely(context, dual, options, search, joined));
+    return ktg_sheets_divide(context, dual, options, search, joined, &pieces);
 }
 
 typedef struct work {
@@ -132,10 +145,12 @@ static ktg_status check_kept(ktg_context *context, const work *w) {
     return status;
 }
 
-static ktg_status unfold_dual(ktg_context *context, work *w, const ktg_dual *dual, uint32_t part,
+static ktg_status unfold_dual(ktg_context *context, work *w, ktg_dual *dual, uint32_t part,
                               bool *joined, ktg_pattern *pattern) {
     ktg_random_seed(&w->search.random, ktg_context_seed(context) + part);
     w->search.generations_before = w->search.report.generations;
+    if (ktg_sheets_wanted(w->options))
+        KTG_TRY(ktg_sheets_loosen(context, w->options, w->search.mm, dual));
     KTG_TRY(join(context, dual, w->options, &w->search, joined));
     KTG_TRY(ktg_pieces_append(context, dual, w->scale, joined, w->parts.component[part], pattern,
                               &w->pieces_capacity));
@@ -222,6 +237,7 @@ static ktg_status fill_pattern(ktg_context *context, work *w, const char *name,
     if (!w->is_fold)
         return KTG_MEMORY;
     set_goal(w);
+    KTG_TRY(ktg_sheets_check_faces(context, w->mesh, w->options));
     KTG_TRY(start_pattern(context, w, name, pattern));
     KTG_TRY(check_kept(context, w));
     for (uint32_t part = 0; part < w->parts.count; part++) {
