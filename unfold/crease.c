@@ -8,8 +8,7 @@ static ktg_vec3 normal_of(const ktg_dual *dual, uint32_t face) {
     const double *l = dual->lengths + 3 * (size_t)face;
     int longest = l[1] > l[0] ? 1 : 0;
     longest = l[2] > l[longest] ? 2 : longest;
-    return ktg_unit3(
-        ktg_cross3(ktg_unit3(v[(longest + 1) % 3]), ktg_unit3(v[(longest + 2) % 3])));
+    return ktg_unit3(ktg_cross3(ktg_unit3(v[(longest + 1) % 3]), ktg_unit3(v[(longest + 2) % 3])));
 }
 
 double ktg_dual_angle(const ktg_dual *dual, const ktg_dual_edge *edge) {

@@ -25,17 +25,17 @@ typedef struct growth {
     const ktg_dual *dual;
     const double *load;
     uint32_t count;
-    double *step;      /* edge_count */
-    ktg_vec3 *middle;  /* face_count: in space */
-    uint32_t *group;   /* face_count: the lowest face that rigid edges join it with */
-    uint32_t *owner;   /* face_count: region of a group, at its lowest face */
-    uint32_t *region;  /* face_count */
-    uint32_t *seed;    /* count */
-    double *late;      /* count: how much later a region starts */
-    double *far;       /* face_count: scratch */
+    double *step;     /* edge_count */
+    ktg_vec3 *middle; /* face_count: in space */
+    uint32_t *group;  /* face_count: the lowest face that rigid edges join it with */
+    uint32_t *owner;  /* face_count: region of a group, at its lowest face */
+    uint32_t *region; /* face_count */
+    uint32_t *seed;   /* count */
+    double *late;     /* count: how much later a region starts */
+    double *far;      /* face_count: scratch */
     heap_item *heap;
     size_t heap_count;
-    double radius;     /* of a round region of mean size */
+    double radius; /* of a round region of mean size */
 } growth;
 
 /* ---- a heap of faces by distance, ties by number -------------------------------------------- */
@@ -86,8 +86,7 @@ static void measure_steps(growth *g) {
     for (uint32_t e = 0; e < g->dual->edge_count; e++) {
         const ktg_dual_edge *edge = &g->dual->edges[e];
         double way = reach(g->dual, edge->halfedge[0]) + reach(g->dual, edge->halfedge[1]);
-        g->step[e] =
-            edge->rigid ? 0 : way * (1 + CREASE_STEPS * ktg_dual_crease(g->dual, edge));
+        g->step[e] = edge->rigid ? 0 : way * (1 + CREASE_STEPS * ktg_dual_crease(g->dual, edge));
     }
 }
 
@@ -141,8 +140,7 @@ static void place_in_space(growth *g, uint32_t *stack) {
                 continue;
             /* the end of the mate is the start of h */
             ktg_vec3 at = ktg_add3(g->middle[face], to_corner(dual, face, k));
-            g->middle[other] =
-                ktg_sub3(at, to_corner(dual, other, (mate % 3 + 1) % 3));
+            g->middle[other] = ktg_sub3(at, to_corner(dual, other, (mate % 3 + 1) % 3));
             g->region[other] = 0;
             stack[depth++] = other;
         }

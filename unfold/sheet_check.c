@@ -69,15 +69,15 @@ static ktg_status make_pattern(ktg_context *context, const ktg_dual *dual, doubl
     bool *closed = ktg_copy_array(context, joined, dual->edge_count, sizeof *joined);
     bool *seen = ktg_new(context, 3 * (size_t)dual->face_count, bool);
     pattern->edges = ktg_new(context, 3 * (size_t)dual->face_count + 1, ktg_pattern_edge);
-    pattern->faces = ktg_copy_array(context, dual->faces, 3 * (size_t)dual->face_count,
-                                    sizeof *dual->faces);
+    pattern->faces =
+        ktg_copy_array(context, dual->faces, 3 * (size_t)dual->face_count, sizeof *dual->faces);
     pattern->face_count = dual->face_count;
     pattern->mm_per_unit = 1;
     pattern->components = ktg_new(context, 1, ktg_pattern_component); /* without a name */
     pattern->component_count = 1;
-    ktg_status status =
-        closed && seen && pattern->edges && pattern->faces && pattern->components ? KTG_OK
-                                                                                  : KTG_MEMORY;
+    ktg_status status = closed && seen && pattern->edges && pattern->faces && pattern->components
+                            ? KTG_OK
+                            : KTG_MEMORY;
     if (status == KTG_OK)
         status = ktg_pieces_append(context, dual, 1 / mm, closed, 0, pattern, &capacity);
     if (status == KTG_OK) {
@@ -127,10 +127,9 @@ ktg_status ktg_sheet_check_run(ktg_context *context, const ktg_dual *dual,
                                ktg_sheet_check *check) {
     *check = (ktg_sheet_check){.piece = ktg_new(context, dual->face_count, uint32_t)};
     ktg_pattern *pattern = ktg_new(context, 1, ktg_pattern);
-    ktg_status status =
-        check->piece && pattern
-            ? check_pattern(context, dual, options, mm, joined, check, pattern)
-            : KTG_MEMORY;
+    ktg_status status = check->piece && pattern
+                            ? check_pattern(context, dual, options, mm, joined, check, pattern)
+                            : KTG_MEMORY;
     ktg_pattern_free(&pattern);
     if (status != KTG_OK)
         ktg_sheet_check_free(check);

@@ -51,8 +51,8 @@ ktg_status ktg_sheets_check_faces(ktg_context *context, const ktg_mesh *mesh,
         return KTG_OK;
     for (uint32_t f = 0; f < mesh->face_count; f++) {
         flat_corners(mesh, f, o->mm_per_unit, corners);
-        KTG_TRY(ktg_best_fit(context, corners, 3, sheet.x, sheet.y, &rotation, &low,
-                             &magnification));
+        KTG_TRY(
+            ktg_best_fit(context, corners, 3, sheet.x, sheet.y, &rotation, &low, &magnification));
         if (magnification < least) {
             least = magnification;
             worst = f;
@@ -100,7 +100,8 @@ static uint32_t lay_polygon(const ktg_dual *dual, uint32_t from, ktg_vec2 *at, b
             uint32_t mate = pair[0] == h ? pair[1] : pair[0], other = mate / 3;
             if (seen[other])
                 continue;
-            uint32_t next = h % 3 == 2 ? h - 2 : h + 1, end_of = mate % 3 == 2 ? mate - 2 : mate + 1;
+            uint32_t next = h % 3 == 2 ? h - 2 : h + 1,
+                     end_of = mate % 3 == 2 ? mate - 2 : mate + 1;
             ktg_motion2 m =
                 ktg_motion2_between(dual->flat[mate], dual->flat[end_of], at[next], at[h]);
             for (uint32_t c = 3 * other; c < 3 * other + 3; c++)

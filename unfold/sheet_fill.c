@@ -52,10 +52,10 @@ typedef struct filling {
     ktg_sheet_room room;
     ktg_seam_tabs *tabs; /* NULL in the first phase */
     ktg_saved saved;
-    double *area;        /* face_count */
-    double *border;      /* edge_count: price as a border between pieces */
-    double *cut;         /* edge_count: price as a cut */
-    double *piece_area;  /* piece_count */
+    double *area;       /* face_count */
+    double *border;     /* edge_count: price as a border between pieces */
+    double *cut;        /* edge_count: price as a cut */
+    double *piece_area; /* piece_count */
     uint32_t *piece_faces;
     double mean_area;
     double temperature, tab_price;
@@ -278,6 +278,7 @@ static void widen_margins(filling *s, const ktg_sheet_check *check) {
 static ktg_status check_fit(ktg_context *context, filling *s, bool *fits) {
     ktg_sheet_check check;
     KTG_TRY(ktg_sheet_check_run(context, s->dual, s->options, s->fill->mm, s->a->folded, &check));
+
     *fits = check.too_many == 0 && (!s->fill->fixed_size || check.too_large == 0);
     if (s->fill->fixed_size)
         widen_margins(s, &check);
@@ -382,8 +383,7 @@ static void finish(filling *s) {
 ktg_status ktg_sheet_fill_run(ktg_context *context, const ktg_dual *dual,
                               const ktg_unfold_options *options, const ktg_sheet_fill *fill,
                               ktg_search *search, bool *folded, bool *fits) {
-    filling s = {
-        .dual = dual, .options = options, .fill = fill, .search = search};
+    filling s = {.dual = dual, .options = options, .fill = fill, .search = search};
     ktg_status status = start(context, &s, folded);
     if (status == KTG_OK)
         status = anneal(context, &s, fits);

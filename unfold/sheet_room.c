@@ -70,8 +70,7 @@ void ktg_sheet_room_recount(ktg_sheet_room *r) {
 }
 
 bool ktg_sheet_room_allows(const ktg_sheet_room *r, const ktg_branch *branch,
-                           const ktg_graft *graft, double allowed, double *change,
-                           uint64_t *work) {
+                           const ktg_graft *graft, double allowed, double *change, uint64_t *work) {
     const uint32_t *faces = r->a->order + branch->first;
     uint32_t piece = r->a->piece[graft->other / 3];
     double before = 0, after = 0;

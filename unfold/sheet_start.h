@@ -9,8 +9,8 @@
 /* A tree for each region (region: face_count numbers below `count`), by transplants; where one has
  * overlaps that do not go away it falls apart. folded: edge_count flags, set. */
 KTG_NODISCARD ktg_status ktg_sheet_start(ktg_context *context, const ktg_dual *dual,
-                                         const uint32_t *region, uint32_t count,
-                                         ktg_search *search, bool *folded);
+                                         const uint32_t *region, uint32_t count, ktg_search *search,
+                                         bool *folded);
 
 /* Cuts the trees of the marked pieces (piece: of each face; cut: piece_count flags) in halves of
  * like area; *cuts: how many could be. Kept edges stay, rigid ones where there are others. */

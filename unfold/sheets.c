@@ -6,6 +6,7 @@
 #include "unfold/regions.h"
 #include "unfold/sheet_check.h"
 #include "unfold/sheet_fill.h"
+#include "unfold/sheet_merge.h"
 #include "unfold/sheet_start.h"
 #include "unfold/spread.h"
 
@@ -46,9 +47,7 @@ static bool fixed_size(const ktg_unfold_options *o) {
 
 /* Without a size all pieces share one sheet. */
 static ktg_sheet_fill fill_for(const dividing *d, uint32_t count) {
-    double part = fixed_size(d->options)
-                      ? 1
-                      : ktg_dual_area(d->dual) / d->search->area_all / count;
+    double part = fixed_size(d->options) ? 1 : ktg_dual_area(d->dual) / d->search->area_all / count;
     return (ktg_sheet_fill){.half = ktg_goal_half(d->options, d->search->mm, part),
                             .mm = d->search->mm,
                             .work = face_work[d->options->effort] * d->dual->face_count,
@@ -63,9 +62,11 @@ static ktg_status attempt(ktg_context *context, dividing *d, uint32_t count) {
     ktg_sheet_fill fill = fill_for(d, count);
     bool overlaps = false;
     uint32_t made;
-    KTG_TRY(ktg_regions_grow(context, d->dual, d->load, count, &d->search->random, d->region,
-                             &made));
+    KTG_TRY(
+        ktg_regions_grow(context, d->dual, d->load, count, &d->search->random, d->region, &made));
     KTG_TRY(ktg_sheet_start(context, d->dual, d->region, made, d->search, d->trial));
+    KTG_TRY(ktg_sheet_merge(context, d->dual, count, d->trial));
+
     KTG_TRY(ktg_sheet_fill_run(context, d->dual, d->options, &fill, d->search, d->trial, &d->fits));
     KTG_TRY(ktg_sheet_overlaps(context, d->dual, d->trial, &overlaps));
     if (overlaps) { /* rounding has hidden one */
@@ -90,8 +91,8 @@ static ktg_status halve_once(ktg_context *context, dividing *d, uint32_t *cuts) 
         for (uint32_t p = 0; p < check.piece_count; p++)
             cut[p] = (fixed_size(d->options) && check.magnification[p] < 1) ||
                      (d->options->piece_faces > 0 && faces[p] > d->options->piece_faces);
-        status = ktg_sheet_halve(context, d->dual, check.piece, cut, check.piece_count, d->trial,
-                                 cuts);
+        status =
+            ktg_sheet_halve(context, d->dual, check.piece, cut, check.piece_count, d->trial, cuts);
     }
     ktg_free(faces);
     ktg_free(cut);
