@@ -301,8 +301,8 @@ static bool is_hopeless(const filling *s) {
 }
 
 static ktg_status anneal(ktg_context *context, filling *s, bool *fits) {
-    static const phase shape = {0.8, 0.05, 0, 0.4}, tabs = {0.12, 0.02, 0.5, 0.4},
-                       again = {0.05, 0.02, 0.5, 0.1};
+    static const phase shape = {0.4, 0.05, 0, 0.4}, tabs = {0.25, 0.02, 1, 0.4},
+                       again = {0.3, 0.02, 1, 0.1};
     *fits = false;
     KTG_TRY(run_phase(context, s, &shape));
     if (is_hopeless(s))

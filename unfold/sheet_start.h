@@ -18,6 +18,10 @@ KTG_NODISCARD ktg_status ktg_sheet_halve(ktg_context *context, const ktg_dual *d
                                          const uint32_t *piece, const bool *cut,
                                          uint32_t piece_count, bool *folded, uint32_t *cuts);
 
+/* Halves the tree of the largest area until there are `count`, or none can be cut any more. */
+KTG_NODISCARD ktg_status ktg_sheet_halve_largest(ktg_context *context, const ktg_dual *dual,
+                                                 uint32_t count, bool *folded);
+
 /* Whether faces of a tree overlap when it is laid flat from its flags alone. */
 KTG_NODISCARD ktg_status ktg_sheet_overlaps(ktg_context *context, const ktg_dual *dual,
                                             const bool *folded, bool *overlaps);

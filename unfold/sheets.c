@@ -3,6 +3,7 @@
 #include "core/memory.h"
 #include "core/vec.h"
 #include "unfold/goal.h"
+#include "unfold/join.h"
 #include "unfold/regions.h"
 #include "unfold/sheet_check.h"
 #include "unfold/sheet_fill.h"
@@ -17,10 +18,14 @@
 static const double hoped_fill[] = {0.50, 0.54, 0.57};
 
 /* Work of an attempt, for each face. */
-static const double face_work[] = {4e3, 1.2e4, 6e4};
+static const double face_work[] = {4e3, 2e4, 8e4};
 
-/* Attempts with rising numbers of pieces; then those that are too large are halved. */
-#define ATTEMPTS 12
+/* Rising numbers of pieces that are tried. */
+#define NUMBERS 8
+
+/* Each number is tried so often at most, with fewer faces than these divided by it. */
+#define REPEATS      4
+#define REPEAT_FACES 500
 
 typedef struct dividing {
     const ktg_dual *dual;
@@ -29,9 +34,11 @@ typedef struct dividing {
     double sheet; /* printable area, in the dual's unit */
     double *load; /* face_count: area, or 1 where faces are counted */
     uint32_t *region;
-    bool *trial;
-    uint32_t pieces; /* of `trial` */
-    bool fits;
+    bool *whole;        /* edge_count: one piece without overlaps; NULL until it is needed */
+    bool *trial, *best; /* edge_count */
+    uint32_t pieces, best_pieces; /* of those */
+    bool fits;                    /* the trial */
+    bool refill; /* the best one has pieces that were halved without looking for better ones */
 } dividing;
 
 bool ktg_sheets_wanted(const ktg_unfold_options *o) {
@@ -58,25 +65,51 @@ static ktg_status count_trees(ktg_context *context, dividing *d) {
     return ktg_sheet_trees(context, d->dual, d->trial, d->region, &d->pieces);
 }
 
-static ktg_status attempt(ktg_context *context, dividing *d, uint32_t count) {
-    ktg_sheet_fill fill = fill_for(d, count);
-    bool overlaps = false;
+/* Cuts the largest pieces of one net in halves: always as many as are wanted. */
+static ktg_status start_from_whole(ktg_context *context, dividing *d, uint32_t count) {
+    size_t edges = d->dual->edge_count;
+    if (!d->whole) {
+        d->whole = ktg_new(context, edges, bool);
+        if (!d->whole)
+            return KTG_MEMORY;
+        KTG_TRY(ktg_join_loosely(context, d->dual, d->search, d->whole, &d->pieces));
+    }
+    memcpy(d->trial, d->whole, edges * sizeof *d->trial);
+    return ktg_sheet_halve_largest(context, d->dual, count, d->trial);
+}
+
+/* A tree for each region; where they fall apart into more, halves of one net. */
+static ktg_status start(ktg_context *context, dividing *d, uint32_t count) {
     uint32_t made;
     KTG_TRY(
         ktg_regions_grow(context, d->dual, d->load, count, &d->search->random, d->region, &made));
     KTG_TRY(ktg_sheet_start(context, d->dual, d->region, made, d->search, d->trial));
     KTG_TRY(ktg_sheet_merge(context, d->dual, count, d->trial));
-
-    KTG_TRY(ktg_sheet_fill_run(context, d->dual, d->options, &fill, d->search, d->trial, &d->fits));
-    KTG_TRY(ktg_sheet_overlaps(context, d->dual, d->trial, &overlaps));
-    if (overlaps) { /* rounding has hidden one */
-        d->fits = false;
-        KTG_TRY(ktg_sheet_start(context, d->dual, d->region, made, d->search, d->trial));
-    }
-    return count_trees(context, d);
+    KTG_TRY(count_trees(context, d));
+    return d->pieces > count ? start_from_whole(context, d, count) : KTG_OK;
 }
 
-/* ---- what does not fit in the end ----------------------------------------------------------- */
+/* Anneals the trial. */
+static ktg_status fill_sheets(ktg_context *context, dividing *d) {
+    KTG_TRY(count_trees(context, d));
+    ktg_sheet_fill fill = fill_for(d, d->pieces);
+    bool overlaps = false;
+    bool *before = ktg_copy_array(context, d->trial, d->dual->edge_count, sizeof *before);
+    if (!before)
+        return KTG_MEMORY;
+    ktg_status status =
+        ktg_sheet_fill_run(context, d->dual, d->options, &fill, d->search, d->trial, &d->fits);
+    if (status == KTG_OK)
+        status = ktg_sheet_overlaps(context, d->dual, d->trial, &overlaps);
+    if (overlaps) { /* rounding has hidden one */
+        d->fits = false;
+        memcpy(d->trial, before, d->dual->edge_count * sizeof *before);
+    }
+    ktg_free(before);
+    return status;
+}
+
+/* ---- what does not fit ---------------------------------------------------------------------- */
 
 static ktg_status halve_once(ktg_context *context, dividing *d, uint32_t *cuts) {
     ktg_sheet_check check;
@@ -133,25 +166,59 @@ static ktg_status try_present(ktg_context *context, dividing *d, const bool *joi
     return KTG_OK;
 }
 
+static void keep_best(dividing *d, bool refill) {
+    if (d->pieces >= d->best_pieces)
+        return;
+    memcpy(d->best, d->trial, d->dual->edge_count * sizeof *d->best);
+    d->best_pieces = d->pieces;
+    d->refill = refill;
+}
+
+static ktg_status attempt(ktg_context *context, dividing *d, uint32_t count) {
+    KTG_TRY(start(context, d, count));
+    KTG_TRY(fill_sheets(context, d));
+    bool fits = d->fits;
+    if (!fits)
+        KTG_TRY(halve_until_all_fit(context, d));
+    keep_best(d, !fits);
+    return KTG_OK;
+}
+
+/* Pieces that were halved because they were too large are annealed, too. */
+static ktg_status anneal_halves(ktg_context *context, dividing *d) {
+    memcpy(d->trial, d->best, d->dual->edge_count * sizeof *d->trial);
+    KTG_TRY(fill_sheets(context, d));
+    if (d->fits)
+        memcpy(d->best, d->trial, d->dual->edge_count * sizeof *d->best);
+    return KTG_OK;
+}
+
+/* Luck counts for more where there are few faces, and tries cost less. */
+static ktg_status try_number(ktg_context *context, dividing *d, uint32_t count) {
+    for (uint32_t i = 0; i < REPEATS && i * d->dual->face_count <= REPEAT_FACES; i++) {
+        KTG_TRY(attempt(context, d, count));
+        if (d->best_pieces <= count || !ktg_search_goes_on(context, d->search))
+            break;
+    }
+    return KTG_OK;
+}
+
+/* More pieces each time, as long as that can be fewer than what was found. */
 static ktg_status try_numbers(ktg_context *context, dividing *d, const bool *joined) {
-    uint32_t count = least_pieces(d), faces = d->dual->face_count;
+    uint32_t count = least_pieces(d);
     if (count == 1) {
         KTG_TRY(try_present(context, d, joined));
-        count = 2;
         if (d->fits)
-            return KTG_OK;
+            keep_best(d, false);
+        count = 2;
     }
-    for (int tries = 0; !d->fits && tries < ATTEMPTS; tries++) {
-        count = count < faces ? count : faces;
-        KTG_TRY(attempt(context, d, count));
+    for (int tries = 0; tries < NUMBERS && count < d->best_pieces; tries++) {
+        KTG_TRY(try_number(context, d, count));
         if (!ktg_search_goes_on(context, d->search))
-            break;
-        if (d->options->pieces > 1 && tries > 2)
-            break;
-        if (d->options->pieces < 2)
-            count += 1 + (tries > 3 ? count / 8 : 0);
+            return KTG_OK;
+        count += 1 + (tries > 3 ? count / 8 : 0);
     }
-    return d->fits ? KTG_OK : halve_until_all_fit(context, d);
+    return d->refill ? anneal_halves(context, d) : KTG_OK;
 }
 
 /* ---- the whole ------------------------------------------------------------------------------ */
@@ -163,7 +230,9 @@ static ktg_status prepare(ktg_context *context, dividing *d) {
     d->load = ktg_new(context, n, double);
     d->region = ktg_new(context, n, uint32_t);
     d->trial = ktg_new(context, d->dual->edge_count, bool);
-    if (!d->load || !d->region || !d->trial)
+    d->best = ktg_new(context, d->dual->edge_count, bool);
+    d->best_pieces = UINT32_MAX;
+    if (!d->load || !d->region || !d->trial || !d->best)
         return KTG_MEMORY;
     for (uint32_t f = 0; f < n; f++) {
         const ktg_vec2 *p = d->dual->flat + 3 * (size_t)f;
@@ -182,12 +251,14 @@ ktg_status ktg_sheets_divide(ktg_context *context, const ktg_dual *dual,
     if (status == KTG_OK)
         status = try_numbers(context, &d, joined);
     if (status == KTG_OK) {
-        memcpy(joined, d.trial, dual->edge_count * sizeof *joined);
-        *pieces = d.pieces;
+        memcpy(joined, d.best, dual->edge_count * sizeof *joined);
+        *pieces = d.best_pieces;
     }
     ktg_free(d.load);
     ktg_free(d.region);
+    ktg_free(d.whole);
     ktg_free(d.trial);
+    ktg_free(d.best);
     return status;
 }
 
