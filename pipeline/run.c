@@ -88,6 +88,8 @@ static ktg_status make_pieces(ktg_context *context, const ktg_pipeline_options *
         unfold.rules = hand->rules;
         unfold.rule_count = hand->rule_count;
         KTG_TRY(ktg_size_known(context, options, mesh, &unfold.mm_per_unit));
+        if (unfold.oversize == KTG_OVERSIZE_ERROR)
+            unfold.mm_per_unit = 0; /* as large as can be, to say how large that is */
         KTG_TRY(ktg_unfold(context, mesh, title, &unfold, pattern, &report->unfold));
     } else {
         ktg_progress(context, "flatten", 0, NULL);

@@ -80,8 +80,7 @@ static void mark_folds(const ktg_dual *dual, const ktg_adjacency *adjacency, con
 #define SECOND_CHANCE 2000
 
 static ktg_status join_freely(ktg_context *context, const ktg_dual *dual,
-                              const ktg_unfold_options *options, ktg_search *search,
-                              bool *joined) {
+                              const ktg_unfold_options *options, ktg_search *search, bool *joined) {
     uint32_t pieces = 0, other = 0;
     if (options->method == KTG_METHOD_GENETIC)
         return ktg_join_genetic(context, dual, options, search, joined, &pieces);

@@ -43,8 +43,8 @@ typedef struct ktg_edge_rule {
 
 /* Section 5 of the paper, where nothing else is said. ktg_unfold_defaults gives its values. */
 typedef struct ktg_unfold_options {
-    ktg_unfold_method method; /* auto */
-    ktg_effort effort;        /* normal */
+    ktg_unfold_method method;  /* auto */
+    ktg_effort effort;         /* normal */
     ktg_sheet_format sheet;    /* what a piece should fill; A4 */
     ktg_finish_options finish; /* the tabs it should have room for; those of ktg_finish_defaults */
     double mm_per_unit; /* the scale; 0: as large as the sheet allows, which is found out later */
