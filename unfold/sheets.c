@@ -17,8 +17,9 @@
  * pieces. */
 static const double hoped_fill[] = {0.50, 0.54, 0.57};
 
-/* Work of an attempt, for each face. */
+/* Work of an attempt, for each face; beyond MANY_FACES it grows with their root only. */
 static const double face_work[] = {4e3, 2e4, 8e4};
+#define MANY_FACES 1000.0
 
 /* Rising numbers of pieces that are tried. */
 #define NUMBERS 8
@@ -52,12 +53,17 @@ static bool fixed_size(const ktg_unfold_options *o) {
 
 /* ---- one attempt ---------------------------------------------------------------------------- */
 
+static double counted_faces(const ktg_dual *dual) {
+    double faces = dual->face_count;
+    return faces < MANY_FACES ? faces : sqrt(faces * MANY_FACES);
+}
+
 /* Without a size all pieces share one sheet. */
 static ktg_sheet_fill fill_for(const dividing *d, uint32_t count) {
     double part = fixed_size(d->options) ? 1 : ktg_dual_area(d->dual) / d->search->area_all / count;
     return (ktg_sheet_fill){.half = ktg_goal_half(d->options, d->search->mm, part),
                             .mm = d->search->mm,
-                            .work = face_work[d->options->effort] * d->dual->face_count,
+                            .work = face_work[d->options->effort] * counted_faces(d->dual),
                             .fixed_size = fixed_size(d->options)};
 }
 
@@ -216,7 +222,7 @@ static ktg_status try_numbers(ktg_context *context, dividing *d, const bool *joi
         KTG_TRY(try_number(context, d, count));
         if (!ktg_search_goes_on(context, d->search))
             return KTG_OK;
-        count += 1 + (tries > 3 ? count / 8 : 0);
+        count += 1 + (d->best_pieces > count ? (d->best_pieces - count) / 4 : 0);
     }
     return d->refill ? anneal_halves(context, d) : KTG_OK;
 }
