@@ -176,6 +176,23 @@ static void halves_and_mergers_count_trees(void **state) {
     ktg_mesh_free(&mesh);
 }
 
+/* Wherever memory ends, the call says so and leaves nothing behind. */
+static void memory_may_end_anywhere(void **state) {
+    ktg_mesh *mesh = shape_icosphere(*state, 0);
+    ktg_unfold_options options = options_at(150);
+    ktg_status status = KTG_MEMORY;
+    for (uint64_t nth = 1; status == KTG_MEMORY; nth += 1 + nth / 16) {
+        ktg_pattern *pattern = NULL;
+        ktg_context_fail_allocation(*state, nth);
+        status = ktg_unfold(*state, mesh, "thing", &options, &pattern, NULL);
+        ktg_context_fail_allocation(*state, 0);
+        assert_true((status == KTG_OK) == (pattern != NULL));
+        ktg_pattern_free(&pattern);
+    }
+    assert_int_equal(status, KTG_OK);
+    ktg_mesh_free(&mesh);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(pieces_fit_and_are_few, make_context, drop_context),
@@ -187,7 +204,7 @@ int main(void) {
                                         drop_context),
         cmocka_unit_test_setup_teardown(polygons_are_divided_only_where_they_must, make_context,
                                         drop_context),
-        cmocka_unit_test_setup_teardown(halves_and_mergers_count_trees, make_context,
-                                        drop_context)};
+        cmocka_unit_test_setup_teardown(halves_and_mergers_count_trees, make_context, drop_context),
+        cmocka_unit_test_setup_teardown(memory_may_end_anywhere, make_context, drop_context)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
