@@ -17,8 +17,4 @@ KTG_NODISCARD ktg_status ktg_join_transplant(ktg_context *context, const ktg_dua
                                              const ktg_unfold_options *options, ktg_search *search,
                                              bool *joined, uint32_t *pieces);
 
-/* Likewise, but only without overlaps, not yet towards the sheet's shape. */
-KTG_NODISCARD ktg_status ktg_join_loosely(ktg_context *context, const ktg_dual *dual,
-                                          ktg_search *search, bool *joined, uint32_t *pieces);
-
 #endif

@@ -99,17 +99,3 @@ ktg_status ktg_join_transplant(ktg_context *context, const ktg_dual *dual,
     ktg_net_free(&net);
     return status;
 }
-
-ktg_status ktg_join_loosely(ktg_context *context, const ktg_dual *dual, ktg_search *search,
-                            bool *joined, uint32_t *pieces) {
-    ktg_net *net = NULL;
-    ktg_status status = search_net(context, dual, search, joined, &net);
-    *pieces = 1;
-    if (status == KTG_OK) {
-        memcpy(joined, net->folded, dual->edge_count * sizeof *joined);
-        if (net->live_count > 0)
-            status = ktg_split_conflicts(context, net, joined, pieces);
-    }
-    ktg_net_free(&net);
-    return status;
-}

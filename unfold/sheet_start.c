@@ -11,10 +11,6 @@
 /* Steps that may end without a new least number of overlaps, besides one for each face. */
 #define PATIENCE 1500
 
-/* Fresh starts, from spanning trees whose weights (0 to 1) are shaken by so much. */
-#define RESTARTS 1
-#define JITTER   0.3
-
 /* ---- trees ---------------------------------------------------------------------------------- */
 
 static void flood(const ktg_dual *dual, const bool *folded, uint32_t from, uint32_t number,
@@ -91,23 +87,15 @@ typedef struct starting {
     bool *folded;
 } starting;
 
-static ktg_status run_once(ktg_context *context, const ktg_dual *part, double jitter,
-                           ktg_search *search, bool *folded, ktg_net **net) {
-    KTG_TRY(ktg_dual_spanning_tree(context, part, jitter, &search->random, folded));
-    KTG_TRY(ktg_net_new(context, part, folded, net));
-    KTG_TRY(ktg_transplant_run(context, *net, PATIENCE + part->face_count, search));
-    return ktg_net_refresh(context, *net);
-}
-
 static ktg_status unfold_tree(ktg_context *context, const ktg_dual *part, ktg_search *search,
                               bool *folded) {
     ktg_net *net = NULL;
     uint32_t pieces;
-    ktg_status status = run_once(context, part, 0, search, folded, &net);
-    for (int run = 0; status == KTG_OK && net && net->live_count > 0 && run < RESTARTS; run++) {
-        ktg_net_free(&net);
-        status = run_once(context, part, JITTER, search, folded, &net);
-    }
+    KTG_TRY(ktg_dual_spanning_tree(context, part, 0, &search->random, folded));
+    KTG_TRY(ktg_net_new(context, part, folded, &net));
+    ktg_status status = ktg_transplant_run(context, net, PATIENCE + part->face_count, search);
+    if (status == KTG_OK)
+        status = ktg_net_refresh(context, net);
     if (status == KTG_OK)
         memcpy(folded, net->folded, part->edge_count * sizeof *folded);
     if (status == KTG_OK && net->live_count > 0)

@@ -78,7 +78,7 @@ static ktg_status start_from_whole(ktg_context *context, dividing *d, uint32_t c
         d->whole = ktg_new(context, edges, bool);
         if (!d->whole)
             return KTG_MEMORY;
-        KTG_TRY(ktg_join_loosely(context, d->dual, d->search, d->whole, &d->pieces));
+        KTG_TRY(ktg_join_transplant(context, d->dual, d->options, d->search, d->whole, &d->pieces));
     }
     memcpy(d->trial, d->whole, edges * sizeof *d->trial);
     return ktg_sheet_halve_largest(context, d->dual, count, d->trial);

@@ -156,11 +156,12 @@ static void polygons_are_divided_only_where_they_must(void **state) {
 static void halves_and_mergers_count_trees(void **state) {
     ktg_mesh *mesh = shape_icosphere(*state, 2);
     ktg_dual *dual = dual_of(*state, mesh);
-    ktg_search search = {.faces_all = dual->face_count};
+    ktg_search search = {.faces_all = dual->face_count, .mm = 100, .area_all = 12};
+    ktg_unfold_options options = options_at(100);
     bool *folded = ktg_new(*state, dual->edge_count, bool), overlaps = true;
     uint32_t *tree = ktg_new(*state, dual->face_count, uint32_t), pieces = 0, count = 0;
     ktg_random_seed(&search.random, 1);
-    assert_int_equal(ktg_join_loosely(*state, dual, &search, folded, &pieces), KTG_OK);
+    assert_int_equal(ktg_join_transplant(*state, dual, &options, &search, folded, &pieces), KTG_OK);
     assert_int_equal(pieces, 1);
     assert_int_equal(ktg_sheet_halve_largest(*state, dual, 7, folded), KTG_OK);
     assert_int_equal(ktg_sheet_trees(*state, dual, folded, tree, &count), KTG_OK);
