@@ -4,6 +4,7 @@
 #include "core/vec.h"
 #include "unfold/crease.h"
 #include "unfold/pieces.h"
+#include "unfold/sheets.h"
 
 #include <string.h>
 
@@ -90,28 +91,50 @@ static ktg_status make_pattern(ktg_context *context, const ktg_dual *dual, doubl
     return status;
 }
 
-static ktg_status measure(ktg_context *context, const ktg_unfold_options *options,
-                          const ktg_pattern *pattern, ktg_sheet_check *check) {
-    double margins = 2 * options->sheet.margin_mm;
+ktg_status ktg_sheet_magnification(ktg_context *context, const ktg_unfold_options *options,
+                                   const ktg_pattern_piece *piece, bool careful,
+                                   double *magnification) {
+    double lost = 2 * options->sheet.margin_mm + (careful ? 2 * options->finish.tab_height_mm : 0);
+    double width = options->sheet.width_mm - lost, height = options->sheet.height_mm - lost;
+    double rotation;
+    ktg_vec2 low;
+    *magnification = 0;
+    if (!(width > 0) || !(height > 0))
+        return KTG_OK;
+    return ktg_best_fit(context, careful ? piece->vertices : piece->outline,
+                        careful ? piece->vertex_count : piece->outline_count, width, height,
+                        &rotation, &low, magnification);
+}
+
+/* Marks the pieces with an edge to another part. */
+static void mark_outer(const ktg_dual *dual, const ktg_sheet_check *check, bool *outer) {
+    uint32_t first = dual->edge_count + dual->forced_count;
+    for (uint32_t e = first; e < first + dual->outer_count; e++)
+        outer[check->piece[dual->edges[e].halfedge[0] / 3]] = true;
+}
+
+static ktg_status measure(ktg_context *context, const ktg_dual *dual,
+                          const ktg_unfold_options *options, const ktg_pattern *pattern,
+                          bool careful, ktg_sheet_check *check) {
+    bool *outer = ktg_new(context, pattern->piece_count, bool);
     check->magnification = ktg_new(context, pattern->piece_count, double);
-    if (!check->magnification)
-        return KTG_MEMORY;
-    for (size_t p = 0; p < pattern->piece_count; p++) {
+    ktg_status status = outer && check->magnification ? KTG_OK : KTG_MEMORY;
+    if (status == KTG_OK)
+        mark_outer(dual, check, outer);
+    for (size_t p = 0; status == KTG_OK && p < pattern->piece_count; p++) {
         const ktg_pattern_piece *piece = &pattern->pieces[p];
-        double rotation;
-        ktg_vec2 low;
-        KTG_TRY(ktg_best_fit(context, piece->outline, piece->outline_count,
-                             options->sheet.width_mm - margins, options->sheet.height_mm - margins,
-                             &rotation, &low, &check->magnification[p]));
+        status = ktg_sheet_magnification(context, options, piece, careful || outer[p],
+                                         &check->magnification[p]);
         check->too_large += check->magnification[p] < 1;
         check->too_many += options->piece_faces > 0 && piece->face_count > options->piece_faces;
     }
-    return KTG_OK;
+    ktg_free(outer);
+    return status;
 }
 
 static ktg_status check_pattern(ktg_context *context, const ktg_dual *dual,
                                 const ktg_unfold_options *options, double mm, const bool *joined,
-                                ktg_sheet_check *check, ktg_pattern *pattern) {
+                                bool careful, ktg_sheet_check *check, ktg_pattern *pattern) {
     ktg_finish_options finish = options->finish;
     ktg_finish_report report;
     finish.numbers = KTG_NUMBER_NONE;
@@ -119,19 +142,46 @@ static ktg_status check_pattern(ktg_context *context, const ktg_dual *dual,
     KTG_TRY(ktg_pattern_finish(context, pattern, &finish, &report));
     check->tabs_none = report.tabs_none;
     check->tabs_wanted = report.tabs_none + report.tabs_reduced + report.tabs_full;
-    return measure(context, options, pattern, check);
+    return measure(context, dual, options, pattern, careful, check);
 }
 
 ktg_status ktg_sheet_check_run(ktg_context *context, const ktg_dual *dual,
                                const ktg_unfold_options *options, double mm, const bool *joined,
-                               ktg_sheet_check *check) {
+                               bool careful, ktg_sheet_check *check) {
     *check = (ktg_sheet_check){.piece = ktg_new(context, dual->face_count, uint32_t)};
     ktg_pattern *pattern = ktg_new(context, 1, ktg_pattern);
-    ktg_status status = check->piece && pattern
-                            ? check_pattern(context, dual, options, mm, joined, check, pattern)
-                            : KTG_MEMORY;
+    ktg_status status = check->piece && pattern ? check_pattern(context, dual, options, mm, joined,
+                                                                careful, check, pattern)
+                                                : KTG_MEMORY;
     ktg_pattern_free(&pattern);
     if (status != KTG_OK)
         ktg_sheet_check_free(check);
+    return status;
+}
+
+static ktg_status finish_copy(ktg_context *context, const ktg_unfold_options *options,
+                              ktg_pattern *copy, bool *fit) {
+    ktg_finish_options finish = options->finish;
+    finish.numbers = KTG_NUMBER_NONE;
+    KTG_TRY(ktg_pattern_scale(context, copy, options->mm_per_unit));
+    KTG_TRY(ktg_pattern_finish(context, copy, &finish, NULL));
+    for (size_t p = 0; p < copy->piece_count; p++) {
+        double magnification;
+        KTG_TRY(ktg_sheet_magnification(context, options, &copy->pieces[p], false, &magnification));
+        *fit &= magnification >= 1;
+    }
+    return KTG_OK;
+}
+
+ktg_status ktg_sheets_fit(ktg_context *context, const ktg_unfold_options *options,
+                          const ktg_pattern *pattern, bool *fit) {
+    ktg_pattern *copy = NULL;
+    *fit = true;
+    if (!(options->mm_per_unit > 0) || options->oversize != KTG_OVERSIZE_SPLIT)
+        return KTG_OK;
+    ktg_status status = ktg_pattern_copy(context, pattern, &copy);
+    if (status == KTG_OK)
+        status = finish_copy(context, options, copy, fit);
+    ktg_pattern_free(&copy);
     return status;
 }

@@ -17,10 +17,20 @@ typedef struct ktg_sheet_check {
     uint32_t tabs_wanted, tabs_none;
 } ktg_sheet_check;
 
-/* joined: edge_count flags, a forest without overlaps. mm: millimetres in a unit of the dual. */
+/* joined: edge_count flags, a forest without overlaps. mm: millimetres in a unit of the dual.
+ * careful: no look at the tabs there will be; each piece must leave room for a whole one on every
+ * side. So it is for a piece that forced cuts part from others anyway, whose tabs are not known
+ * here. */
 KTG_NODISCARD ktg_status ktg_sheet_check_run(ktg_context *context, const ktg_dual *dual,
                                              const ktg_unfold_options *options, double mm,
-                                             const bool *joined, ktg_sheet_check *check);
+                                             const bool *joined, bool careful,
+                                             ktg_sheet_check *check);
 void ktg_sheet_check_free(ktg_sheet_check *check);
+
+/* The factor by which a finished piece could be larger and would still fit the sheet. */
+KTG_NODISCARD ktg_status ktg_sheet_magnification(ktg_context *context,
+                                                 const ktg_unfold_options *options,
+                                                 const ktg_pattern_piece *piece, bool careful,
+                                                 double *magnification);
 
 #endif

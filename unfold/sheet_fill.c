@@ -237,8 +237,9 @@ static void tell(ktg_context *context, filling *s) {
     uint32_t over;
     (void)ktg_sheet_room_over(&s->room, NULL, &over);
     snprintf(detail, sizeof detail, "%u pieces, %u still too large", s->a->piece_count, over);
-    ktg_search_progress(context, s->search,
-                        fmin(1, (double)s->work / s->fill->work) * s->dual->face_count, detail);
+    double done = fmin(1, (double)s->work / s->fill->work);
+    double part = s->fill->progress_from + (s->fill->progress_to - s->fill->progress_from) * done;
+    ktg_search_progress(context, s->search, part * s->dual->face_count, detail);
 }
 
 static ktg_status run_phase(ktg_context *context, filling *s, const phase *p) {
@@ -277,7 +278,8 @@ static void widen_margins(filling *s, const ktg_sheet_check *check) {
 
 static ktg_status check_fit(ktg_context *context, filling *s, bool *fits) {
     ktg_sheet_check check;
-    KTG_TRY(ktg_sheet_check_run(context, s->dual, s->options, s->fill->mm, s->a->folded, &check));
+    KTG_TRY(ktg_sheet_check_run(context, s->dual, s->options, s->fill->mm, s->a->folded,
+                                s->search->careful, &check));
 
     *fits = check.too_many == 0 && (!s->fill->fixed_size || check.too_large == 0);
     if (s->fill->fixed_size)

@@ -15,6 +15,7 @@ typedef struct ktg_sheet_fill {
     double mm;       /* millimetres in that unit */
     double work;     /* steps and faces looked at; about 5 million a second */
     bool fixed_size; /* false: there is no sheet to fit yet, only shapes to be found */
+    double progress_from, progress_to; /* of the part's */
 } ktg_sheet_fill;
 
 /* folded: edge_count flags of a forest without overlaps; so it is afterwards, with as many trees.

@@ -38,7 +38,8 @@ typedef struct dividing {
     bool *whole;        /* edge_count: one piece without overlaps; NULL until it is needed */
     bool *trial, *best; /* edge_count */
     uint32_t pieces, best_pieces; /* of those */
-    bool fits;                    /* the trial */
+    int attempts;
+    bool fits;   /* the trial */
     bool refill; /* the best one has pieces that were halved without looking for better ones */
 } dividing;
 
@@ -64,7 +65,9 @@ static ktg_sheet_fill fill_for(const dividing *d, uint32_t count) {
     return (ktg_sheet_fill){.half = ktg_goal_half(d->options, d->search->mm, part),
                             .mm = d->search->mm,
                             .work = face_work[d->options->effort] * counted_faces(d->dual),
-                            .fixed_size = fixed_size(d->options)};
+                            .fixed_size = fixed_size(d->options),
+                            .progress_from = 1 - pow(0.5, d->attempts),
+                            .progress_to = 1 - pow(0.5, d->attempts + 1)};
 }
 
 static ktg_status count_trees(ktg_context *context, dividing *d) {
@@ -120,7 +123,8 @@ static ktg_status fill_sheets(ktg_context *context, dividing *d) {
 static ktg_status halve_once(ktg_context *context, dividing *d, uint32_t *cuts) {
     ktg_sheet_check check;
     *cuts = 0;
-    KTG_TRY(ktg_sheet_check_run(context, d->dual, d->options, d->search->mm, d->trial, &check));
+    KTG_TRY(ktg_sheet_check_run(context, d->dual, d->options, d->search->mm, d->trial,
+                                d->search->careful, &check));
     uint32_t *faces = ktg_new(context, check.piece_count, uint32_t);
     bool *cut = ktg_new(context, check.piece_count, bool);
     ktg_status status = faces && cut ? KTG_OK : KTG_MEMORY;
@@ -165,7 +169,8 @@ static uint32_t least_pieces(const dividing *d) {
 static ktg_status try_present(ktg_context *context, dividing *d, const bool *joined) {
     ktg_sheet_check check;
     memcpy(d->trial, joined, d->dual->edge_count * sizeof *joined);
-    KTG_TRY(ktg_sheet_check_run(context, d->dual, d->options, d->search->mm, joined, &check));
+    KTG_TRY(ktg_sheet_check_run(context, d->dual, d->options, d->search->mm, joined,
+                                d->search->careful, &check));
     d->pieces = check.piece_count;
     d->fits = check.too_many == 0 && (!fixed_size(d->options) || check.too_large == 0);
     ktg_sheet_check_free(&check);

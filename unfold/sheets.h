@@ -28,4 +28,9 @@ KTG_NODISCARD ktg_status ktg_sheets_divide(ktg_context *context, const ktg_dual 
                                            const ktg_unfold_options *options, ktg_search *search,
                                            bool *joined, uint32_t *pieces);
 
+/* Whether every piece of a whole pattern, which is not changed, fits its sheet once it is finished;
+ * true where the options do not ask for that. */
+KTG_NODISCARD ktg_status ktg_sheets_fit(ktg_context *context, const ktg_unfold_options *options,
+                                        const ktg_pattern *pattern, bool *fit);
+
 #endif

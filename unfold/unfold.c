@@ -261,6 +261,42 @@ static void fill_report(work *w, const ktg_pattern *pattern, ktg_unfold_report *
         *report = *r;
 }
 
+static void release(work *w) {
+    ktg_free(w->face_component);
+    ktg_free(w->is_fold);
+    ktg_parts_free(&w->parts);
+    ktg_rules_free(&w->rules);
+    w->face_component = NULL;
+    w->is_fold = NULL;
+    w->pieces_capacity = 0;
+}
+
+static ktg_status make_pattern(ktg_context *context, work *w, const char *name,
+                               ktg_pattern **pattern) {
+    *pattern = ktg_new(context, 1, ktg_pattern);
+    ktg_status status = *pattern ? fill_pattern(context, w, name, *pattern) : KTG_MEMORY;
+    if (status != KTG_OK)
+        ktg_pattern_free(pattern);
+    return status;
+}
+
+/* Pieces that were found to fit do so in all likelihood; where tabs come out otherwise in the whole
+ * pattern, everything is done again with room to spare. */
+static ktg_status make_fitting(ktg_context *context, work *w, const char *name,
+                               ktg_pattern **pattern) {
+    bool fit = true;
+    KTG_TRY(make_pattern(context, w, name, pattern));
+    ktg_status status = ktg_sheets_fit(context, w->options, *pattern, &fit);
+    if (status != KTG_OK || !fit)
+        ktg_pattern_free(pattern);
+    if (status != KTG_OK || fit)
+        return status;
+    release(w);
+    w->search.careful = true;
+    w->search.faces_done = 0;
+    return make_pattern(context, w, name, pattern);
+}
+
 ktg_status ktg_unfold(ktg_context *context, const ktg_mesh *mesh, const char *name,
                       const ktg_unfold_options *options, ktg_pattern **pattern,
                       ktg_unfold_report *report) {
@@ -279,18 +315,11 @@ ktg_status ktg_unfold(ktg_context *context, const ktg_mesh *mesh, const char *na
     ktg_status status = normalising_scale(context, mesh, &w.scale);
     if (status == KTG_OK)
         status = ktg_unfold_check(context, mesh, adjacency);
-    if (status == KTG_OK && !(*pattern = ktg_new(context, 1, ktg_pattern)))
-        status = KTG_MEMORY;
     if (status == KTG_OK)
-        status = fill_pattern(context, &w, name, *pattern);
+        status = make_fitting(context, &w, name, pattern);
     if (status == KTG_OK)
         fill_report(&w, *pattern, report);
-    else
-        ktg_pattern_free(pattern);
-    ktg_free(w.face_component);
-    ktg_free(w.is_fold);
-    ktg_parts_free(&w.parts);
-    ktg_rules_free(&w.rules);
+    release(&w);
     ktg_adjacency_free(&adjacency);
     return status;
 }
