@@ -35,6 +35,9 @@
 #define MARGIN 0.5
 #define ROUNDS 6
 
+/* Annealing also goes on while more than this part of the seam edges lack a tab. */
+#define FEW_MISSING 0.005
+
 typedef struct phase {
     double hot, cold; /* temperatures */
     double tab_price;
@@ -60,6 +63,8 @@ typedef struct filling {
     double mean_area;
     double temperature, tab_price;
     uint64_t work;
+    bool *kept;     /* edge_count: the best pieces that fit, ... */
+    double missing; /* ... and which part of their seam edges lacks a tab; 2: none fit yet */
 } filling;
 
 /* ---- what a graft costs besides room and tabs ----------------------------------------------- */
@@ -276,12 +281,17 @@ static void widen_margins(filling *s, const ktg_sheet_check *check) {
     }
 }
 
-static ktg_status check_fit(ktg_context *context, filling *s, bool *fits) {
+/* Keeps the pieces as they are where they fit and have the fewest seams without a tab so far. */
+static ktg_status check_fit(ktg_context *context, filling *s) {
     ktg_sheet_check check;
     KTG_TRY(ktg_sheet_check_run(context, s->dual, s->options, s->fill->mm, s->a->folded,
                                 s->search->careful, &check));
-
-    *fits = check.too_many == 0 && (!s->fill->fixed_size || check.too_large == 0);
+    bool fits = check.too_many == 0 && (!s->fill->fixed_size || check.too_large == 0);
+    double missing = check.tabs_wanted > 0 ? (double)check.tabs_none / check.tabs_wanted : 0;
+    if (fits && missing < s->missing) {
+        s->missing = missing;
+        memcpy(s->kept, s->a->folded, s->dual->edge_count * sizeof *s->kept);
+    }
     if (s->fill->fixed_size)
         widen_margins(s, &check);
     ktg_sheet_check_free(&check);
@@ -302,21 +312,20 @@ static bool is_hopeless(const filling *s) {
     return s->fill->fixed_size && over > 1.5 * s->a->piece_count;
 }
 
-static ktg_status anneal(ktg_context *context, filling *s, bool *fits) {
+static ktg_status anneal(ktg_context *context, filling *s) {
     static const phase shape = {0.4, 0.05, 0, 0.4}, tabs = {0.25, 0.02, 1, 0.4},
-                       again = {0.3, 0.02, 1, 0.1};
-    *fits = false;
+                       again = {0.3, 0.02, 1, 0.1}, polish = {0.2, 0.02, 1.5, 0.15};
     KTG_TRY(run_phase(context, s, &shape));
     if (is_hopeless(s))
         return KTG_OK;
     KTG_TRY(begin_tabs(context, s));
     KTG_TRY(run_phase(context, s, &tabs));
     for (int round = 0;; round++) {
-        KTG_TRY(check_fit(context, s, fits));
-        if (*fits || round == ROUNDS || !ktg_search_goes_on(context, s->search))
+        KTG_TRY(check_fit(context, s));
+        if (s->missing <= FEW_MISSING || round == ROUNDS || !ktg_search_goes_on(context, s->search))
             return KTG_OK;
         ktg_sheet_room_recount(&s->room);
-        KTG_TRY(run_phase(context, s, &again));
+        KTG_TRY(run_phase(context, s, s->missing <= 1 ? &polish : &again));
     }
 }
 
@@ -365,7 +374,9 @@ static ktg_status start(ktg_context *context, filling *s, const bool *folded) {
     s->saved = (ktg_saved){.faces = ktg_new(context, n, uint32_t),
                            .corners = ktg_new(context, 3 * (size_t)n, ktg_vec2),
                            .turns = ktg_new(context, n, ktg_vec2)};
-    return s->saved.faces && s->saved.corners && s->saved.turns ? KTG_OK : KTG_MEMORY;
+    s->kept = ktg_new(context, s->dual->edge_count, bool);
+    s->missing = 2;
+    return s->kept && s->saved.faces && s->saved.corners && s->saved.turns ? KTG_OK : KTG_MEMORY;
 }
 
 static void finish(filling *s) {
@@ -380,6 +391,7 @@ static void finish(filling *s) {
     ktg_free(s->saved.faces);
     ktg_free(s->saved.corners);
     ktg_free(s->saved.turns);
+    ktg_free(s->kept);
 }
 
 ktg_status ktg_sheet_fill_run(ktg_context *context, const ktg_dual *dual,
@@ -388,9 +400,10 @@ ktg_status ktg_sheet_fill_run(ktg_context *context, const ktg_dual *dual,
     filling s = {.dual = dual, .options = options, .fill = fill, .search = search};
     ktg_status status = start(context, &s, folded);
     if (status == KTG_OK)
-        status = anneal(context, &s, fits);
+        status = anneal(context, &s);
+    *fits = s.missing <= 1;
     if (status == KTG_OK)
-        memcpy(folded, s.a->folded, dual->edge_count * sizeof *folded);
+        memcpy(folded, *fits ? s.kept : s.a->folded, dual->edge_count * sizeof *folded);
     finish(&s);
     return status;
 }
