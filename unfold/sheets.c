@@ -177,8 +177,14 @@ static ktg_status try_present(ktg_context *context, dividing *d, const bool *joi
     return KTG_OK;
 }
 
+/* True when so many pieces would be better than the best so far; of as many, those that were not
+ * halved are. */
+static bool would_gain(const dividing *d, uint32_t pieces, bool refill) {
+    return pieces < d->best_pieces || (pieces == d->best_pieces && d->refill && !refill);
+}
+
 static void keep_best(dividing *d, bool refill) {
-    if (d->pieces >= d->best_pieces)
+    if (!would_gain(d, d->pieces, refill))
         return;
     memcpy(d->best, d->trial, d->dual->edge_count * sizeof *d->best);
     d->best_pieces = d->pieces;
@@ -208,7 +214,7 @@ static ktg_status anneal_halves(ktg_context *context, dividing *d) {
 static ktg_status try_number(ktg_context *context, dividing *d, uint32_t count) {
     for (uint32_t i = 0; i < REPEATS && i * d->dual->face_count <= REPEAT_FACES; i++) {
         KTG_TRY(attempt(context, d, count));
-        if (d->best_pieces <= count || !ktg_search_goes_on(context, d->search))
+        if (!would_gain(d, count, false) || !ktg_search_goes_on(context, d->search))
             break;
     }
     return KTG_OK;
@@ -223,7 +229,7 @@ static ktg_status try_numbers(ktg_context *context, dividing *d, const bool *joi
             keep_best(d, false);
         count = 2;
     }
-    for (int tries = 0; tries < NUMBERS && count < d->best_pieces; tries++) {
+    for (int tries = 0; tries < NUMBERS && would_gain(d, count, false); tries++) {
         KTG_TRY(try_number(context, d, count));
         if (!ktg_search_goes_on(context, d->search))
             return KTG_OK;
