@@ -72,8 +72,6 @@ ktg_status ktg_sheets_check_faces(ktg_context *context, const ktg_mesh *mesh,
 
 /* ---- polygons ------------------------------------------------------------------------------- */
 
-/* Smallest and largest flat coordinates cannot be had without laying a polygon flat; its area and
- * the way across it in space are enough to see that it does not fit. */
 static bool is_too_large(const ktg_vec2 *points, size_t count, ktg_vec2 sheet,
                          ktg_context *context) {
     double rotation, magnification;
