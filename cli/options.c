@@ -258,6 +258,21 @@ static bool set_effort(settings *s, const char *text) {
     return effort >= 0;
 }
 
+static bool set_oversize(settings *s, const char *text) {
+    static const char *const ways[] = {"split", "error", NULL};
+    int way = word_index(text, ways);
+    s->pipeline.unfold.oversize = way == 1 ? KTG_OVERSIZE_ERROR : KTG_OVERSIZE_SPLIT;
+    return way >= 0;
+}
+
+static bool set_pieces(settings *s, const char *text) {
+    return parse_count32(text, 1, &s->pipeline.unfold.pieces);
+}
+
+static bool set_piece_faces(settings *s, const char *text) {
+    return parse_count32(text, 1, &s->pipeline.unfold.piece_faces);
+}
+
 static bool set_method_flatten(settings *s, const char *text) {
     (void)s;
     return strcmp(text, "two-step") == 0;
@@ -340,6 +355,11 @@ static const option_line lines[] = {
     {"landscape", 0, NULL, PAPER, set_landscape, "turn the sheet"},
     {"margin", 0, "LENGTH", PAPER, set_margin, "left free on every side of a sheet (10mm)"},
     {"gap", 0, "LENGTH", PAPER, set_gap, "between pieces (2mm)"},
+    {"oversize", 0, "split|error", CMD_UNFOLD, set_oversize,
+     "with a size: pieces that fit the sheet, or fail where one piece does not (split)"},
+    {"pieces", 0, "N", CMD_UNFOLD, set_pieces,
+     "divide every part of the model into N pieces; with a size, more where they do not fit"},
+    {"max-faces-per-piece", 0, "N", CMD_UNFOLD, set_piece_faces, "no piece has more faces"},
     {"tabs", 0, "LENGTH|none", CMD_UNFOLD, set_tabs, "height of the glue tabs (5mm)"},
     {"tab-side", 0, "alternate|smaller|run", CMD_UNFOLD, set_tab_side,
      "which side of a seam gets the tabs, where there is room (alternate)"},

@@ -87,6 +87,9 @@ static ktg_status make_pieces(ktg_context *context, const ktg_pipeline_options *
         unfold.finish = options->finish;
         unfold.rules = hand->rules;
         unfold.rule_count = hand->rule_count;
+        KTG_TRY(ktg_size_known(context, options, mesh, &unfold.mm_per_unit));
+        if (unfold.oversize == KTG_OVERSIZE_ERROR)
+            unfold.mm_per_unit = 0; /* as large as can be, to say how large that is */
         KTG_TRY(ktg_unfold(context, mesh, title, &unfold, pattern, &report->unfold));
     } else {
         ktg_progress(context, "flatten", 0, NULL);
@@ -117,7 +120,7 @@ static ktg_status put_on_sheets(ktg_context *context, const ktg_pipeline_options
     report->components = (uint32_t)pattern->component_count;
     report->mm_per_unit = pattern->mm_per_unit;
     report->up = ktg_size_up(options);
-    report->size_mm = ktg_size_of(pattern, report->up);
+    report->size_mm = ktg_size_of(pattern->vertices, pattern->vertex_count, report->up);
     return KTG_OK;
 }
 

@@ -13,10 +13,10 @@ ktg_axis ktg_size_up(const ktg_pipeline_options *options) {
     return format == KTG_MESH_STL ? KTG_AXIS_Z : KTG_AXIS_Y;
 }
 
-ktg_vec3 ktg_size_of(const ktg_pattern *pattern, ktg_axis up) {
+ktg_vec3 ktg_size_of(const ktg_vec3 *vertices, uint32_t vertex_count, ktg_axis up) {
     ktg_vec3 low = {INFINITY, INFINITY, INFINITY}, high = {-INFINITY, -INFINITY, -INFINITY};
-    for (uint32_t v = 0; v < pattern->vertex_count; v++) {
-        ktg_vec3 p = pattern->vertices[v];
+    for (uint32_t v = 0; v < vertex_count; v++) {
+        ktg_vec3 p = vertices[v];
         low = (ktg_vec3){fmin(low.x, p.x), fmin(low.y, p.y), fmin(low.z, p.z)};
         high = (ktg_vec3){fmax(high.x, p.x), fmax(high.y, p.y), fmax(high.z, p.z)};
     }
@@ -46,14 +46,13 @@ ktg_status ktg_size_check(ktg_context *context, const ktg_pipeline_options *opti
     return KTG_OK;
 }
 
-ktg_status ktg_size_scale(ktg_context *context, const ktg_pipeline_options *options,
-                          const ktg_pattern *pattern, double *mm_per_unit) {
+/* By the size that is asked for: the vertices' extent along one axis, or a factor. */
+static ktg_status asked_scale(ktg_context *context, const ktg_pipeline_options *options,
+                              const ktg_vec3 *vertices, uint32_t vertex_count,
+                              double *mm_per_unit) {
     static const char *const names[] = {"", "height", "width", "length"};
-    ktg_vec3 size = ktg_size_of(pattern, ktg_size_up(options));
+    ktg_vec3 size = ktg_size_of(vertices, vertex_count, ktg_size_up(options));
     const double extents[] = {0, size.y, size.x, size.z};
-    if (options->size_rule == KTG_SIZE_FIT)
-        return ktg_pattern_fit(context, pattern, &options->layout.sheet, options->layout.gap_mm,
-                               &options->finish, mm_per_unit);
     if (options->size_rule == KTG_SIZE_FACTOR) {
         *mm_per_unit = options->size_mm;
         return KTG_OK;
@@ -67,4 +66,20 @@ ktg_status ktg_size_scale(ktg_context *context, const ktg_pipeline_options *opti
             names[options->size_rule]);
     *mm_per_unit = options->size_mm / extent;
     return KTG_OK;
+}
+
+ktg_status ktg_size_known(ktg_context *context, const ktg_pipeline_options *options,
+                          const ktg_mesh *mesh, double *mm_per_unit) {
+    *mm_per_unit = 0;
+    if (options->size_rule == KTG_SIZE_FIT)
+        return KTG_OK;
+    return asked_scale(context, options, mesh->positions, mesh->vertex_count, mm_per_unit);
+}
+
+ktg_status ktg_size_scale(ktg_context *context, const ktg_pipeline_options *options,
+                          const ktg_pattern *pattern, double *mm_per_unit) {
+    if (options->size_rule == KTG_SIZE_FIT)
+        return ktg_pattern_fit(context, pattern, &options->layout.sheet, options->layout.gap_mm,
+                               &options->finish, mm_per_unit);
+    return asked_scale(context, options, pattern->vertices, pattern->vertex_count, mm_per_unit);
 }

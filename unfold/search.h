@@ -14,6 +14,7 @@ typedef struct ktg_search {
     uint32_t generations_before; /* spent on those components */
     double seconds;              /* spent by transplants until there was one piece */
     double told;                 /* the progress told last */
+    bool careful;                /* pieces must fit their sheets whatever tabs they get */
     ktg_unfold_report report;
 } ktg_search;
 

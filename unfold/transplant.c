@@ -12,7 +12,8 @@
 #define TEMPERATURE 1.0  /* what a step may cost, on average of the accepted */
 #define MOST_WEIGHT 1000 /* of a face; so sums of costs fit 32 bits */
 #define TABU_LEAST  10   /* steps for which a changed edge stays as it is: this and */
-#define TABU_MORE   20   /* up to that many more */
+#define TABU_MORE   20   /* up to that many more, */
+#define TABU_CUTS   60   /* and less in proportion where a net has fewer cuts than this */
 /* Bodies are at most so many faces large, drawn log-uniformly from this up to all of them. */
 #define SMALL_BODY 8
 /* All places for bodies up to this large are listed before some are drawn. */
@@ -29,6 +30,8 @@ typedef struct transplant {
     uint64_t step;
     uint32_t faces[2]; /* the conflict of this step */
     uint32_t most;     /* faces of a body in this step */
+    uint32_t tabu_least, tabu_more;
+    double temperature;
 } transplant;
 
 typedef struct proposal {
@@ -104,7 +107,7 @@ static proposal find_proposal(transplant *t) {
     ktg_net *net = t->net;
     uint32_t pick = net->live[ktg_random_below(random, net->live_count)];
     const uint32_t *faces = memcpy(t->faces, net->conflicts[pick].faces, sizeof t->faces);
-    double threshold = -TEMPERATURE * log(1 - ktg_random_unit(random));
+    double threshold = -t->temperature * log(1 - ktg_random_unit(random));
     proposal best = {.cost = 1 + (int64_t)threshold};
     double range = fmax(1, (double)net->dual->face_count / SMALL_BODY);
     t->most = (uint32_t)(SMALL_BODY * pow(range, ktg_random_unit(random)));
@@ -135,7 +138,7 @@ static ktg_status take_step(ktg_context *context, transplant *t) {
     ktg_body body = ktg_net_side(t->net, best.fold);
     KTG_TRY(ktg_net_transplant(context, t->net, &body, best.fold, best.edge));
     t->tabu_until[best.fold] = t->tabu_until[best.edge] =
-        t->step + TABU_LEAST + ktg_random_below(&t->search->random, TABU_MORE);
+        t->step + t->tabu_least + ktg_random_below(&t->search->random, t->tabu_more);
     return KTG_OK;
 }
 
@@ -146,6 +149,16 @@ static void tell_progress(ktg_context *context, const transplant *t) {
     double own = 1.0 / (1.0 + (double)left) * t->net->dual->face_count;
     snprintf(detail, sizeof detail, "%zu overlap%s left", left, left == 1 ? "" : "s");
     ktg_search_progress(context, search, own, detail);
+}
+
+/* A region with a long border has few cuts inside it: were all of them tabu, nothing could move;
+ * and with few places to choose from, the best of a step would rarely be a good one. */
+static void set_pace(transplant *t) {
+    uint32_t cuts = t->net->dual->edge_count - (t->net->dual->face_count - 1);
+    double part = fmin(1, (double)cuts / TABU_CUTS);
+    t->tabu_least = (uint32_t)(TABU_LEAST * part);
+    t->tabu_more = (uint32_t)fmax(1, TABU_MORE * part);
+    t->temperature = TEMPERATURE * fmax(0.1, part * part);
 }
 
 static ktg_status run(ktg_context *context, transplant *t, uint64_t patience) {
@@ -176,6 +189,7 @@ ktg_status ktg_transplant_run(ktg_context *context, ktg_net *net, uint64_t patie
                     .path = ktg_new(context, faces, uint32_t),
                     .rims = ktg_new(context, 3 * faces, uint32_t),
                     .tabu_until = ktg_new(context, net->dual->edge_count, uint64_t)};
+    set_pace(&t);
     ktg_status status = t.path && t.rims && t.tabu_until ? run(context, &t, patience) : KTG_MEMORY;
     ktg_free(t.path);
     ktg_free(t.rims);

@@ -9,6 +9,7 @@
 #include "unfold/join.h"
 #include "unfold/pieces.h"
 #include "unfold/rules.h"
+#include "unfold/sheets.h"
 
 #include <string.h>
 
@@ -78,8 +79,8 @@ static void mark_folds(const ktg_dual *dual, const ktg_adjacency *adjacency, con
  * several pieces. */
 #define SECOND_CHANCE 2000
 
-static ktg_status join(ktg_context *context, const ktg_dual *dual,
-                       const ktg_unfold_options *options, ktg_search *search, bool *joined) {
+static ktg_status join_freely(ktg_context *context, const ktg_dual *dual,
+                              const ktg_unfold_options *options, ktg_search *search, bool *joined) {
     uint32_t pieces = 0, other = 0;
     if (options->method == KTG_METHOD_GENETIC)
         return ktg_join_genetic(context, dual, options, search, joined, &pieces);
@@ -93,6 +94,17 @@ static ktg_status join(ktg_context *context, const ktg_dual *dual,
         memcpy(joined, trial, dual->edge_count * sizeof *joined);
     ktg_free(trial);
     return status;
+}
+
+/* As few pieces as there can be, or as the sheet allows. */
+static ktg_status join(ktg_context *context, const ktg_dual *dual,
+                       const ktg_unfold_options *options, ktg_search *search, bool *joined) {
+    uint32_t pieces = 0;
+    if (!ktg_sheets_wanted(options))
+        return join_freely(context, dual, options, search, joined);
+    if (ktg_sheets_least(dual, options, search) == 1)
+        KTG_TRY(join_freely(context, dual, options, search, joined));
+    return ktg_sheets_divide(context, dual, options, search, joined, &pieces);
 }
 
 typedef struct work {
@@ -132,10 +144,12 @@ static ktg_status check_kept(ktg_context *context, const work *w) {
     return status;
 }
 
-static ktg_status unfold_dual(ktg_context *context, work *w, const ktg_dual *dual, uint32_t part,
+static ktg_status unfold_dual(ktg_context *context, work *w, ktg_dual *dual, uint32_t part,
                               bool *joined, ktg_pattern *pattern) {
     ktg_random_seed(&w->search.random, ktg_context_seed(context) + part);
     w->search.generations_before = w->search.report.generations;
+    if (ktg_sheets_wanted(w->options))
+        KTG_TRY(ktg_sheets_loosen(context, w->options, w->search.mm, dual));
     KTG_TRY(join(context, dual, w->options, &w->search, joined));
     KTG_TRY(ktg_pieces_append(context, dual, w->scale, joined, w->parts.component[part], pattern,
                               &w->pieces_capacity));
@@ -222,6 +236,7 @@ static ktg_status fill_pattern(ktg_context *context, work *w, const char *name,
     if (!w->is_fold)
         return KTG_MEMORY;
     set_goal(w);
+    KTG_TRY(ktg_sheets_check_faces(context, w->mesh, w->options));
     KTG_TRY(start_pattern(context, w, name, pattern));
     KTG_TRY(check_kept(context, w));
     for (uint32_t part = 0; part < w->parts.count; part++) {
@@ -246,6 +261,42 @@ static void fill_report(work *w, const ktg_pattern *pattern, ktg_unfold_report *
         *report = *r;
 }
 
+static void release(work *w) {
+    ktg_free(w->face_component);
+    ktg_free(w->is_fold);
+    ktg_parts_free(&w->parts);
+    ktg_rules_free(&w->rules);
+    w->face_component = NULL;
+    w->is_fold = NULL;
+    w->pieces_capacity = 0;
+}
+
+static ktg_status make_pattern(ktg_context *context, work *w, const char *name,
+                               ktg_pattern **pattern) {
+    *pattern = ktg_new(context, 1, ktg_pattern);
+    ktg_status status = *pattern ? fill_pattern(context, w, name, *pattern) : KTG_MEMORY;
+    if (status != KTG_OK)
+        ktg_pattern_free(pattern);
+    return status;
+}
+
+/* Pieces that were found to fit do so in all likelihood; where tabs come out otherwise in the whole
+ * pattern, everything is done again with room to spare. */
+static ktg_status make_fitting(ktg_context *context, work *w, const char *name,
+                               ktg_pattern **pattern) {
+    bool fit = true;
+    KTG_TRY(make_pattern(context, w, name, pattern));
+    ktg_status status = ktg_sheets_fit(context, w->options, *pattern, &fit);
+    if (status != KTG_OK || !fit)
+        ktg_pattern_free(pattern);
+    if (status != KTG_OK || fit)
+        return status;
+    release(w);
+    w->search.careful = true;
+    w->search.faces_done = 0;
+    return make_pattern(context, w, name, pattern);
+}
+
 ktg_status ktg_unfold(ktg_context *context, const ktg_mesh *mesh, const char *name,
                       const ktg_unfold_options *options, ktg_pattern **pattern,
                       ktg_unfold_report *report) {
@@ -264,18 +315,11 @@ ktg_status ktg_unfold(ktg_context *context, const ktg_mesh *mesh, const char *na
     ktg_status status = normalising_scale(context, mesh, &w.scale);
     if (status == KTG_OK)
         status = ktg_unfold_check(context, mesh, adjacency);
-    if (status == KTG_OK && !(*pattern = ktg_new(context, 1, ktg_pattern)))
-        status = KTG_MEMORY;
     if (status == KTG_OK)
-        status = fill_pattern(context, &w, name, *pattern);
+        status = make_fitting(context, &w, name, pattern);
     if (status == KTG_OK)
         fill_report(&w, *pattern, report);
-    else
-        ktg_pattern_free(pattern);
-    ktg_free(w.face_component);
-    ktg_free(w.is_fold);
-    ktg_parts_free(&w.parts);
-    ktg_rules_free(&w.rules);
+    release(&w);
     ktg_adjacency_free(&adjacency);
     return status;
 }

@@ -26,6 +26,12 @@ typedef enum ktg_unfold_method {
  * all. */
 typedef enum ktg_effort { KTG_EFFORT_QUICK, KTG_EFFORT_NORMAL, KTG_EFFORT_BEST } ktg_effort;
 
+/* What is done when one piece does not fit the sheet at the scale that is asked for. */
+typedef enum ktg_oversize {
+    KTG_OVERSIZE_SPLIT, /* the fewest pieces such that each fits with its tabs */
+    KTG_OVERSIZE_ERROR  /* one piece all the same; laying it out says which size would fit */
+} ktg_oversize;
+
 /* What somebody wants of one edge: that it stays a fold, or that it is cut. */
 typedef struct ktg_edge_rule {
     uint32_t vertices[2]; /* of the mesh, in either order */
@@ -41,10 +47,13 @@ typedef struct ktg_unfold_options {
     ktg_effort effort;         /* normal */
     ktg_sheet_format sheet;    /* what a piece should fill; A4 */
     ktg_finish_options finish; /* the tabs it should have room for; those of ktg_finish_defaults */
-    double mm_per_unit;   /* the scale; 0: as large as the sheet allows, which is found out later */
-    uint32_t population;  /* chromosomes in a generation, at least 4; 32 */
-    uint32_t generations; /* at most this many; 2000 */
-    uint32_t patience;    /* stop after so many generations without gain; 30 */
+    double mm_per_unit; /* the scale; 0: as large as the sheet allows, which is found out later */
+    ktg_oversize oversize; /* with a scale: split */
+    uint32_t pieces;       /* each part becomes so many; 0: as few as possible */
+    uint32_t piece_faces;  /* a piece has at most so many faces; 0: any number */
+    uint32_t population;   /* chromosomes in a generation, at least 4; 32 */
+    uint32_t generations;  /* at most this many; 2000 */
+    uint32_t patience;     /* stop after so many generations without gain; 30 */
     double crossover_rate; /* 0..1; 0.8 */
     double mutation_rate;  /* 0..1; 0.1 */
     uint32_t restarts;     /* fresh starts from other strips while a component is in several pieces;
@@ -84,7 +93,9 @@ typedef struct ktg_unfold_report {
  * (mesh->face_polygon) stay folds unless a piece has to be split. options->rules are obeyed or the
  * call fails: KTG_ARGUMENT where a rule names no inner edge or two rules contradict each other,
  * KTG_GEOMETRY, with the edge or vertex, where folds that are to be kept cannot be laid flat, or
- * not without overlaps. A cut that a rule asks for stays one even where it closes by itself. A
+ * not without overlaps. A cut that a rule asks for stays one even where it closes by itself. With a
+ * scale and KTG_OVERSIZE_SPLIT, KTG_GEOMETRY names a face that is larger than the sheet, and the
+ * size at which it fits. A
  * cancel callback that says KTG_FINISH ends the search early with the best pieces so far
  * (stopped_by says so); KTG_STOP fails with KTG_CANCELLED. */
 KTG_API KTG_NODISCARD ktg_status ktg_unfold(ktg_context *context, const ktg_mesh *mesh,
