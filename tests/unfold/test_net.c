@@ -4,7 +4,6 @@
 #include "tests/unfold/help.h"
 #include "tests/unfold/reference.h"
 #include "tests/unfold/shapes.h"
-#include "unfold/compact.h"
 #include "unfold/net.h"
 #include "unfold/overlap.h"
 #include "unfold/split.h"
@@ -250,30 +249,6 @@ static void a_split_leaves_no_two_overlapping_faces_together(void **state) {
     drop(&f);
 }
 
-/* The largest extent of the net. */
-static double spread(const ktg_net *net) {
-    double far = 0;
-    for (uint32_t a = 0; a < 3 * net->dual->face_count; a++)
-        for (uint32_t b = 0; b < a; b++)
-            far = fmax(far, ktg_length2(ktg_sub2(net->corners[a], net->corners[b])));
-    return far;
-}
-
-static void annealing_makes_a_net_compact_and_keeps_it_free_of_overlaps(void **state) {
-    fixture f = start(*state, shape_knot(*state, 40, 8));
-    ktg_search search = {.faces_all = f.dual->face_count};
-    ktg_random_seed(&search.random, 1);
-    assert_int_equal(ktg_transplant_run(*state, f.net, 5000, &search), KTG_OK);
-    double before = spread(f.net);
-    assert_int_equal(ktg_compact_run(*state, f.net, 0.7, 1000000, &search), KTG_OK);
-    assert_true(spread(f.net) < 0.9 * before);
-    assert_int_equal(f.net->live_count, 0);
-    assert_int_equal(slow_conflicts(f.net), 0);
-    assert_tree(f.net);
-    assert_laid(f.net);
-    drop(&f);
-}
-
 static void large_faces_over_tiny_ones_are_found(void **state) {
     enum { COUNT = 40 };
     double sizes[COUNT + 1];
@@ -314,7 +289,6 @@ int main(void) {
         cmocka_unit_test(weights_count_and_a_guess_never_hides_a_free_place),
         cmocka_unit_test(transplants_keep_the_books),
         cmocka_unit_test(the_search_ends_without_overlaps),
-        cmocka_unit_test(annealing_makes_a_net_compact_and_keeps_it_free_of_overlaps),
         cmocka_unit_test(large_faces_over_tiny_ones_are_found),
         cmocka_unit_test(a_split_leaves_no_two_overlapping_faces_together),
     };
