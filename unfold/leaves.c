@@ -5,11 +5,14 @@
 /* A leaf's last cut has room where its ends are this much further apart than a tab is high. */
 #define ROOMY 1.3
 
+/* A vertex is flat below this curvature: a cut that ends there closes by itself. */
+#define FLAT 1e-6
+
 /* The price of a cut with room under one of its faces only. */
 #define ONE_SIDED 0.2
 
 static double leaf_price(const ktg_leaves *l, uint32_t v) {
-    if (l->degree[v] != 1 || l->open[v])
+    if (l->degree[v] != 1 || l->open[v] || fabs(l->curvature[v]) < FLAT)
         return 0;
     double length = l->dual->edges[l->chain[v]].length;
     double room = length * l->curvature[v] / (ROOMY * l->least);

@@ -4,6 +4,9 @@
 
 #include <string.h>
 
+/* Copies of a vertex nearer than this are one. */
+#define CLOSED 1e-9
+
 /* Price of a tab that stands out of the sheet by its half, and the most it can be. */
 #define STANDING_OUT      10.0
 #define STANDING_OUT_MOST 0.5
@@ -158,10 +161,21 @@ static double price_of(const ktg_trapezoid *shape, const ktg_tab_wish *wish) {
     return KTG_PRICE_REDUCED_MOST - (KTG_PRICE_REDUCED_MOST - KTG_PRICE_REDUCED_LEAST) * part;
 }
 
+/* True when both sides of a cut lie on each other: it becomes a fold in the end. */
+static bool closes(const ktg_arrangement *a, uint32_t e) {
+    const uint32_t *pair = a->dual->edges[e].halfedge;
+    ktg_vec2 first = ktg_sub2(a->corners[pair[0]], a->corners[next_corner(pair[1])]);
+    ktg_vec2 second = ktg_sub2(a->corners[next_corner(pair[0])], a->corners[pair[1]]);
+    return fmax(ktg_dot2(first, first), ktg_dot2(second, second)) < CLOSED * CLOSED &&
+           a->piece[pair[0] / 3] == a->piece[pair[1] / 3];
+}
+
 /* An edge without a tab: what that costs. */
 static double price_of_none(const ktg_seam_tabs *t, uint32_t e) {
-    const ktg_dual_edge *edge = &t->a->dual->edges[e];
-    return !(e < t->a->dual->edge_count && t->a->folded[e]) && edge->length >= t->wish.edge;
+    const ktg_dual *dual = t->a->dual;
+    if (dual->edges[e].length < t->wish.edge)
+        return 0;
+    return e >= dual->edge_count || !(t->a->folded[e] || closes(t->a, e));
 }
 
 static ktg_status damage(ktg_context *context, ktg_seam_tabs *t, uint32_t e) {
