@@ -20,7 +20,7 @@ typedef struct ktg_annealing {
     double temperature, tab_price, conflict_price;
     uint32_t conflicts; /* overlapping pairs */
     uint64_t work;
-    double progress; /* part of the work that earlier phases have done */
+    double budget; /* the work that phases have parts of */
 } ktg_annealing;
 
 /* A random branch and a cut edge on its border; false when the draw was none (arrange_draw.c). */

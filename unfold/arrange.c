@@ -30,6 +30,14 @@ static const phase phases[] = {
 #define FIRST_RESCALED 3
 #define SQUEEZE        0.98
 
+/* With enough work several starts are made, so many at most, each with at least so much work for a
+ * face and all with this part of the whole; the best goes on. A missing tab weighs as much as this
+ * part of the area. */
+#define MOST_STARTS  12
+#define START_WORK   8000.0
+#define STARTS_PART  0.5
+#define PRICE_POINTS 0.02
+
 /* An overlapping pair of faces costs this many temperatures at the beginning and at the end. */
 #define CONFLICT_FIRST 0.5
 #define CONFLICT_LAST  5.0
@@ -84,7 +92,7 @@ static void set_temperature(ktg_annealing *s, const phase *p, double done) {
 }
 
 static ktg_status run_phase(ktg_context *context, ktg_annealing *s, const phase *p) {
-    uint64_t begin = s->work, end = begin + (uint64_t)(p->share * (double)s->goal->work);
+    uint64_t begin = s->work, end = begin + (uint64_t)(p->share * s->budget);
     s->soft = p->soft;
     s->a->gap = s->soft && s->tabs ? GAP * s->wish.height : 0;
     KTG_TRY(tidy(context, s, p->power));
@@ -92,7 +100,7 @@ static ktg_status run_phase(ktg_context *context, ktg_annealing *s, const phase 
         if (step % LOOK == 1) {
             double done = (double)(s->work - begin) / (double)(end - begin);
             set_temperature(s, p, done);
-            tell(context, s, s->progress + p->share * done);
+            tell(context, s, (double)s->work / (double)s->goal->work);
             if (!ktg_search_goes_on(context, s->search))
                 break;
         }
@@ -100,7 +108,6 @@ static ktg_status run_phase(ktg_context *context, ktg_annealing *s, const phase 
             KTG_TRY(tidy(context, s, p->power));
         KTG_TRY(ktg_annealing_step(context, s, step));
     }
-    s->progress += p->share;
     return KTG_OK;
 }
 
@@ -218,28 +225,124 @@ static ktg_status rescale(ktg_context *context, ktg_annealing *s) {
     return KTG_OK;
 }
 
-static ktg_status anneal(ktg_context *context, ktg_annealing *s, const ktg_dual *dual,
-                         bool *folded) {
-    KTG_TRY(start(context, s, dual, folded));
-    for (size_t k = 0; k < PHASES; k++) {
+/* Phases first .. PHASES - 1 with the work of the budget. */
+static ktg_status run_phases(ktg_context *context, ktg_annealing *s, const ktg_dual *dual,
+                             size_t first, bool *folded) {
+    for (size_t k = first; k < PHASES; k++) {
         if (k >= FIRST_RESCALED)
             KTG_TRY(rescale(context, s));
-        if (s->tabs && !phases[k].soft && (phases[k - 1].soft || k >= FIRST_RESCALED))
+        if (s->tabs && !phases[k].soft && (k >= FIRST_RESCALED || phases[k - 1].soft))
             KTG_TRY(ktg_seam_tabs_renew(context, s->tabs, &s->wish));
         KTG_TRY(run_phase(context, s, &phases[k]));
         if (phases[k].soft)
             KTG_TRY(make_hard(context, s, dual, folded));
     }
-    memcpy(folded, s->a->folded, dual->edge_count * sizeof *folded);
     return KTG_OK;
+}
+
+/* ---- several starts ------------------------------------------------------------------------- */
+
+/* What a start has come to; `at` are the first two corners of face `anchor`, so that the net can
+ * be laid where it lay. */
+typedef struct outcome {
+    bool *folded;
+    double score;
+    ktg_vec2 half;
+    ktg_seam_tab_wish wish;
+    uint32_t anchor;
+    ktg_vec2 at[2];
+} outcome;
+
+static void set_sheet(ktg_annealing *s, ktg_vec2 half, const ktg_seam_tab_wish *wish) {
+    s->half = half;
+    if (wish)
+        s->wish = *wish;
+    s->wish.half = half;
+}
+
+/* Large models are good; missing tabs are not. */
+static ktg_status score(ktg_context *context, ktg_annealing *s, double *points) {
+    double excess;
+    KTG_TRY(centre(context, s, &excess));
+    double size = s->goal->half.x / (s->half.x * excess);
+    *points = size * size - (s->tabs ? PRICE_POINTS * s->tabs->price : 0);
+    return KTG_OK;
+}
+
+static void keep_better(const ktg_annealing *s, double points, outcome *best) {
+    if (points <= best->score)
+        return;
+    const ktg_arrangement *a = s->a;
+    best->score = points;
+    best->half = s->half;
+    best->wish = s->wish;
+    best->anchor = a->order[0];
+    memcpy(best->at, a->corners + 3 * (size_t)a->order[0], sizeof best->at);
+    memcpy(best->folded, a->folded, a->dual->edge_count * sizeof *best->folded);
+}
+
+/* A whole annealing with a part of the work; the better outcome stays in *best. */
+static ktg_status try_start(ktg_context *context, ktg_annealing *s, const ktg_dual *dual,
+                            bool *folded, outcome *best) {
+    double points;
+    set_sheet(s, s->goal->half, s->goal->tabs);
+    KTG_TRY(start(context, s, dual, folded));
+    KTG_TRY(run_phases(context, s, dual, 0, folded));
+    KTG_TRY(score(context, s, &points));
+    keep_better(s, points, best);
+    finish(s);
+    return KTG_OK;
+}
+
+/* The best outcome goes on with what is left of the work. */
+static ktg_status polish(ktg_context *context, ktg_annealing *s, const ktg_dual *dual,
+                         outcome *best) {
+    double points, share = 0;
+    for (size_t k = FIRST_RESCALED; k < PHASES; k++)
+        share += phases[k].share;
+    if (s->work >= s->goal->work)
+        return KTG_OK;
+    s->budget = (double)(s->goal->work - s->work) / share;
+    set_sheet(s, best->half, &best->wish);
+    KTG_TRY(start(context, s, dual, best->folded));
+    const ktg_vec2 *now = s->a->corners + 3 * (size_t)best->anchor;
+    KTG_TRY(ktg_arrangement_move(context, s->a, 0,
+                                 ktg_motion2_between(now[0], now[1], best->at[0], best->at[1])));
+    if (s->tabs)
+        KTG_TRY(ktg_seam_tabs_renew(context, s->tabs, &s->wish));
+    KTG_TRY(run_phases(context, s, dual, FIRST_RESCALED, best->folded));
+    KTG_TRY(score(context, s, &points));
+    keep_better(s, points, best);
+    return KTG_OK;
+}
+
+static uint32_t starts_for(const ktg_annealing *s, const ktg_dual *dual) {
+    double each = START_WORK * dual->face_count;
+    double starts = STARTS_PART * (double)s->goal->work / each;
+    return s->goal->fixed || starts < 2 ? 1 : starts > MOST_STARTS ? MOST_STARTS : (uint32_t)starts;
+}
+
+static ktg_status anneal(ktg_context *context, ktg_annealing *s, const ktg_dual *dual,
+                         bool *folded) {
+    outcome best = {.folded = ktg_copy_array(context, folded, dual->edge_count, sizeof *folded),
+                    .score = -INFINITY};
+    uint32_t starts = starts_for(s, dual);
+    ktg_status status = best.folded ? KTG_OK : KTG_MEMORY;
+    s->budget = (double)s->goal->work * (starts > 1 ? STARTS_PART / starts : 1);
+    for (uint32_t k = 0; status == KTG_OK && k < starts; k++)
+        if (k == 0 || ktg_search_goes_on(context, s->search))
+            status = try_start(context, s, dual, folded, &best);
+    if (status == KTG_OK && starts > 1 && ktg_search_goes_on(context, s->search))
+        status = polish(context, s, dual, &best);
+    if (status == KTG_OK)
+        memcpy(folded, best.folded, dual->edge_count * sizeof *folded);
+    ktg_free(best.folded);
+    return status;
 }
 
 ktg_status ktg_arrange(ktg_context *context, const ktg_dual *dual, const ktg_arrange_goal *goal,
                        ktg_search *search, bool *folded) {
-    ktg_annealing s = {.goal = goal, .search = search, .half = goal->half};
-    if (goal->tabs)
-        s.wish = *goal->tabs;
-    s.wish.half = s.half;
+    ktg_annealing s = {.goal = goal, .search = search};
     ktg_status status = anneal(context, &s, dual, folded);
     finish(&s);
     return status;
