@@ -23,12 +23,12 @@ static const phase phases[] = {
     {false, 4, 2, 0.63, 6, 0.15},     /* room for tabs */
     {false, 8, 0.63, 0.2, 6, 0.15},   /* */
     {false, 8, 1, 0.3, 6, 0.2},       /* again at the scale that was reached */
-    {false, 16, 0.5, 0.1, 10, 0.25}}; /* what stands out moves in, what lacks a tab gets one */
+    {false, 16, 1.0, 0.1, 10, 0.25}}; /* what stands out moves in, what lacks a tab gets one */
 #define PHASES (sizeof phases / sizeof *phases)
 
 /* From this phase on each begins with the scale that was reached, less a little: */
 #define FIRST_RESCALED 3
-#define SQUEEZE        0.98
+#define SQUEEZE        0.99
 
 /* With enough work several starts are made, so many at most, each with at least so much work for a
  * face and all with this part of the whole; the best goes on. A missing tab weighs as much as this
@@ -36,7 +36,7 @@ static const phase phases[] = {
 #define MOST_STARTS  12
 #define START_WORK   8000.0
 #define STARTS_PART  0.5
-#define PRICE_POINTS 0.02
+#define PRICE_POINTS 0.03
 
 /* An overlapping pair of faces costs this many temperatures at the beginning and at the end. */
 #define CONFLICT_FIRST 0.5
