@@ -62,7 +62,7 @@ static ktg_status search_net(ktg_context *context, const ktg_dual *dual, ktg_sea
 /* The component's share of the work that the effort stands for. */
 static uint64_t work_for(const ktg_dual *dual, const ktg_unfold_options *options,
                          const ktg_search *search) {
-    static const double work[] = {5e5, 4e6, 1.5e8};
+    static const double work[] = {5e5, 4e6, 9e7};
     return (uint64_t)(work[options->effort] * dual->face_count / search->faces_all);
 }
 

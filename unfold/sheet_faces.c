@@ -42,6 +42,18 @@ static double rounded_down(double value) {
     return floor(value / unit) * unit;
 }
 
+/* The scale at which the face fits with a whole tab on every side: what may be promised. */
+static ktg_status surely_fits(ktg_context *context, const ktg_mesh *mesh, uint32_t face,
+                              const ktg_unfold_options *o, double *mm_per_unit) {
+    double rim = 2 * o->finish.tab_height_mm, rotation, magnification;
+    ktg_vec2 sheet = printable(o), room = {fmax(1, sheet.x - rim), fmax(1, sheet.y - rim)};
+    ktg_vec2 corners[3], low;
+    flat_corners(mesh, face, o->mm_per_unit, corners);
+    KTG_TRY(ktg_best_fit(context, corners, 3, room.x, room.y, &rotation, &low, &magnification));
+    *mm_per_unit = rounded_down(o->mm_per_unit * magnification);
+    return KTG_OK;
+}
+
 ktg_status ktg_sheets_check_faces(ktg_context *context, const ktg_mesh *mesh,
                                   const ktg_unfold_options *o) {
     ktg_vec2 sheet = printable(o), corners[3], low;
@@ -60,12 +72,13 @@ ktg_status ktg_sheets_check_faces(ktg_context *context, const ktg_mesh *mesh,
     }
     if (least >= 1)
         return KTG_OK;
-    double most = rounded_down(o->mm_per_unit * least);
+    double most;
+    KTG_TRY(surely_fits(context, mesh, worst, o, &most));
     ktg_vec3 size = ktg_mul3(extent_of(mesh), most);
     return ktg_fail(context, KTG_GEOMETRY,
                     "face %u alone is larger than the printable area of %s (%.0f x %.0f mm), and a "
-                    "face cannot be divided: at most about %.6g mm per unit fits, that is a "
-                    "finished size (x, y, z) of %.3g x %.3g x %.3g mm; choose a smaller size, a "
+                    "face cannot be divided: at %.6g mm per unit it fits with its tabs, that is a "
+                    "finished size (x, y, z) of %.0f x %.0f x %.0f mm; choose a smaller size, a "
                     "larger sheet, or more faces",
                     worst + 1, o->sheet.name, sheet.x, sheet.y, most, size.x, size.y, size.z);
 }

@@ -23,7 +23,7 @@ typedef enum ktg_unfold_method {
 
 /* How much work is spent on making a piece compact, so that it fits a sheet at a larger scale, and
  * on cuts whose tabs have room (auto only): counted, so that results do not depend on the machine;
- * at 500 faces about 0.1, 0.7 and 15 seconds in all. */
+ * at 500 faces about 0.1, 0.6 and 10 seconds in all. */
 typedef enum ktg_effort { KTG_EFFORT_QUICK, KTG_EFFORT_NORMAL, KTG_EFFORT_BEST } ktg_effort;
 
 /* What is done when one piece does not fit the sheet at the scale that is asked for. */
