@@ -21,7 +21,7 @@ typedef struct phase {
 static const phase phases[] = {
     {true, 4, 4, 0.15, 10, 0.25},     /* shapes for the sheet; overlaps are resolved after it */
     {false, 4, 2, 0.63, 6, 0.15},     /* room for tabs */
-    {false, 8, 0.63, 0.2, 6, 0.15},   /* */
+    {false, 8, 0.63, 0.2, 6, 0.15},   /* the same, what stands out moves in */
     {false, 8, 1, 0.3, 6, 0.2},       /* again at the scale that was reached */
     {false, 16, 1.0, 0.1, 10, 0.25}}; /* what stands out moves in, what lacks a tab gets one */
 #define PHASES (sizeof phases / sizeof *phases)
