@@ -1,39 +1,16 @@
 /* unfold/arrange_draw.c - which branch to hang where: drawn at random, or for a seam that lacks its
  * tab. */
 #include "unfold/annealing.h"
+#include "unfold/graft_step.h"
 
 static bool may_be_cut(const ktg_arrangement *a, uint32_t face) {
     uint32_t fold = a->parent_edge[face];
     return fold != KTG_NONE && !a->dual->edges[fold].rigid;
 }
 
-/* A random cut edge on the border of the branch below `face`. */
-static bool draw_graft_of(const ktg_annealing *s, uint32_t face, ktg_branch *branch,
-                          ktg_graft *graft) {
-    const ktg_arrangement *a = s->a;
-    ktg_random *random = &s->search->random;
-    if (!may_be_cut(a, face))
-        return false;
-    *branch = ktg_branch_at(a, face);
-    for (int tries = 0; tries < 4; tries++) {
-        uint32_t f = a->order[branch->first + ktg_random_below(random, branch->count)];
-        uint32_t own = 3 * f + (uint32_t)ktg_random_below(random, 3);
-        uint32_t e = a->dual->halfedge_edge[own];
-        if (e == KTG_NONE || a->folded[e])
-            continue;
-        uint32_t other = ktg_arrangement_across(a, e, own);
-        if (ktg_branch_holds(a, branch, other / 3))
-            continue;
-        *graft = (ktg_graft){.edge = e, .own = own, .other = other};
-        ktg_graft_motion(a, graft);
-        return true;
-    }
-    return false;
-}
-
 bool ktg_annealing_draw(const ktg_annealing *s, ktg_branch *branch, ktg_graft *graft) {
     size_t face = ktg_random_below(&s->search->random, s->a->dual->face_count);
-    return draw_graft_of(s, (uint32_t)face, branch, graft);
+    return ktg_draw_graft(s->a, &s->search->random, (uint32_t)face, branch, graft);
 }
 
 static uint32_t parent_of(const ktg_arrangement *a, uint32_t face) {
@@ -83,7 +60,7 @@ static bool draw_opening(const ktg_annealing *s, uint32_t seam, ktg_branch *bran
         uint32_t across = ktg_arrangement_across(a, e, h);
         if (--turns == 0) {
             uint32_t top = a->parent_edge[h / 3] == e ? h / 3 : across / 3;
-            return draw_graft_of(s, top, branch, graft);
+            return ktg_draw_graft(a, random, top, branch, graft);
         }
         h = across;
     }

@@ -1,6 +1,7 @@
 /* unfold/arrangement.c - a forest laid flat, and hanging a branch elsewhere. */
 #include "unfold/arrangement.h"
 #include "core/memory.h"
+#include "unfold/lay.h"
 #include "unfold/overlap.h"
 
 #include <string.h>
@@ -25,21 +26,6 @@ void ktg_arrangement_free(ktg_arrangement **arrangement) {
 
 /* ---- laying flat ---------------------------------------------------------------------------- */
 
-/* The turn the face of half-edge `own` has when it lies against half-edge `other`. */
-static ktg_vec2 turn_against(const ktg_arrangement *a, uint32_t other, uint32_t own) {
-    ktg_vec2 turn = a->turn[other / 3], from = a->dual->flat_vectors[own];
-    ktg_vec2 v = a->dual->flat_vectors[other];
-    ktg_vec2 along = {-(turn.x * v.x - turn.y * v.y), -(turn.y * v.x + turn.x * v.y)};
-    return ktg_unit2((ktg_vec2){ktg_dot2(from, along), ktg_cross2(from, along)});
-}
-
-/* The motion with a given turn that brings the middle of a - b to the middle of A - B. */
-static ktg_motion2 motion_to(ktg_vec2 turn, ktg_vec2 a, ktg_vec2 b, ktg_vec2 A, ktg_vec2 B) {
-    ktg_motion2 m = {turn.x, turn.y, {0, 0}};
-    m.t = ktg_sub2(ktg_mul2(ktg_add2(A, B), 0.5), ktg_move2(m, ktg_mul2(ktg_add2(a, b), 0.5)));
-    return m;
-}
-
 static uint32_t next_corner(uint32_t h) {
     return h % 3 == 2 ? h - 2 : h + 1;
 }
@@ -47,9 +33,9 @@ static uint32_t next_corner(uint32_t h) {
 static void lay_against(ktg_arrangement *a, uint32_t other, uint32_t own) {
     const ktg_vec2 *flat = a->dual->flat;
     uint32_t face = own / 3;
-    a->turn[face] = turn_against(a, other, own);
-    ktg_motion2 m = motion_to(a->turn[face], flat[own], flat[next_corner(own)],
-                              a->corners[next_corner(other)], a->corners[other]);
+    a->turn[face] = ktg_lay_turn(a->dual, a->turn[other / 3], other, own);
+    ktg_motion2 m = ktg_lay_motion(a->turn[face], flat[own], flat[next_corner(own)],
+                                   a->corners[next_corner(other)], a->corners[other]);
     for (uint32_t c = 3 * face; c < 3 * face + 3; c++)
         a->corners[c] = ktg_move2(m, flat[c]);
 }
@@ -178,10 +164,10 @@ ktg_status ktg_arrangement_new(ktg_context *context, const ktg_dual *dual, const
 
 void ktg_graft_motion(const ktg_arrangement *a, ktg_graft *graft) {
     uint32_t own = graft->own, other = graft->other;
-    ktg_vec2 now = a->turn[own / 3], then = turn_against(a, other, own);
+    ktg_vec2 now = a->turn[own / 3], then = ktg_lay_turn(a->dual, a->turn[other / 3], other, own);
     ktg_vec2 turn = ktg_unit2((ktg_vec2){ktg_dot2(now, then), ktg_cross2(now, then)});
-    graft->motion = motion_to(turn, a->corners[own], a->corners[next_corner(own)],
-                              a->corners[next_corner(other)], a->corners[other]);
+    graft->motion = ktg_lay_motion(turn, a->corners[own], a->corners[next_corner(own)],
+                                   a->corners[next_corner(other)], a->corners[other]);
 }
 
 /* True for the first of the cells of a range that an item lies in: where it counts. */

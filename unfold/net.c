@@ -1,6 +1,7 @@
 /* unfold/net.c - a spanning tree laid flat, its conflicts, and moving a part of it. */
 #include "unfold/net.h"
 #include "core/memory.h"
+#include "unfold/lay.h"
 #include "unfold/overlap.h"
 
 #include <string.h>
@@ -99,39 +100,16 @@ static void put_in_grid(ktg_net *net, uint32_t face) {
     ktg_net_grid_put_face(&net->grid, face, net->corners + 3 * (size_t)face);
 }
 
-void ktg_net_shift(ktg_net *net, ktg_vec2 by) {
-    for (size_t c = 0; c < 3 * (size_t)net->dual->face_count; c++)
-        net->corners[c] = ktg_add2(net->corners[c], by);
-    for (uint32_t f = 0; f < net->dual->face_count; f++)
-        put_in_grid(net, f);
-}
-
 /* ---- laying flat ---------------------------------------------------------------------------- */
-
-/* The turn the face of half-edge `own` has when it lies against half-edge `other`: from the edge's
- * vectors in both faces' own frames, which are precise however short the edge is. */
-static ktg_vec2 turn_against(const ktg_net *net, uint32_t other, uint32_t own) {
-    ktg_vec2 turn = net->turn[other / 3], from = net->dual->flat_vectors[own];
-    ktg_vec2 v = net->dual->flat_vectors[other];
-    ktg_vec2 along = {-(turn.x * v.x - turn.y * v.y), -(turn.y * v.x + turn.x * v.y)};
-    return ktg_unit2((ktg_vec2){ktg_dot2(from, along), ktg_cross2(from, along)});
-}
-
-/* The motion with a given turn that brings the middle of a - b to the middle of A - B. */
-static ktg_motion2 motion_to(ktg_vec2 turn, ktg_vec2 a, ktg_vec2 b, ktg_vec2 A, ktg_vec2 B) {
-    ktg_motion2 m = {turn.x, turn.y, {0, 0}};
-    m.t = ktg_sub2(ktg_mul2(ktg_add2(A, B), 0.5), ktg_move2(m, ktg_mul2(ktg_add2(a, b), 0.5)));
-    return m;
-}
 
 static void lay_against(ktg_net *net, uint32_t other, uint32_t own) {
     uint32_t face = own / 3;
     const ktg_vec2 *flat = net->dual->flat + 3 * (size_t)face;
     const ktg_vec2 *there = net->corners + 3 * (size_t)(other / 3);
     int j = own % 3, k = other % 3;
-    net->turn[face] = turn_against(net, other, own);
+    net->turn[face] = ktg_lay_turn(net->dual, net->turn[other / 3], other, own);
     ktg_motion2 m =
-        motion_to(net->turn[face], flat[j], flat[(j + 1) % 3], there[(k + 1) % 3], there[k]);
+        ktg_lay_motion(net->turn[face], flat[j], flat[(j + 1) % 3], there[(k + 1) % 3], there[k]);
     for (int i = 0; i < 3; i++)
         net->corners[3 * (size_t)face + i] = ktg_move2(m, flat[i]);
 }
@@ -321,10 +299,11 @@ ktg_motion2 ktg_net_motion(const ktg_net *net, const ktg_body *body, uint32_t ed
     uint32_t own = pair[inside], other = pair[1 - inside];
     const ktg_vec2 *here = net->corners + 3 * (size_t)(own / 3);
     const ktg_vec2 *there = net->corners + 3 * (size_t)(other / 3);
-    ktg_vec2 now = net->turn[own / 3], then = turn_against(net, other, own);
+    ktg_vec2 now = net->turn[own / 3],
+             then = ktg_lay_turn(net->dual, net->turn[other / 3], other, own);
     ktg_vec2 turn = ktg_unit2((ktg_vec2){ktg_dot2(now, then), ktg_cross2(now, then)});
-    return motion_to(turn, here[own % 3], here[(own % 3 + 1) % 3], there[(other % 3 + 1) % 3],
-                     there[other % 3]);
+    return ktg_lay_motion(turn, here[own % 3], here[(own % 3 + 1) % 3], there[(other % 3 + 1) % 3],
+                          there[other % 3]);
 }
 
 static void move_face(const ktg_net *net, uint32_t face, const ktg_motion2 *motion,

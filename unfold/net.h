@@ -110,9 +110,6 @@ uint32_t ktg_net_conflicts_guess(const ktg_net *net, const ktg_body *body,
 KTG_NODISCARD ktg_status ktg_net_transplant(ktg_context *context, ktg_net *net,
                                             const ktg_body *body, uint32_t fold, uint32_t edge);
 
-/* Moves the whole net. */
-void ktg_net_shift(ktg_net *net, ktg_vec2 by);
-
 /* Lays everything flat anew from the tree and finds all conflicts: takes away the rounding of many
  * motions. */
 KTG_NODISCARD ktg_status ktg_net_refresh(ktg_context *context, ktg_net *net);

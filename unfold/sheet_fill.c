@@ -3,6 +3,7 @@
 #include "core/memory.h"
 #include "unfold/crease.h"
 #include "unfold/goal.h"
+#include "unfold/graft_step.h"
 #include "unfold/sheet_check.h"
 #include "unfold/sheet_room.h"
 #include "unfold/spread.h"
@@ -130,64 +131,21 @@ static void count_over(filling *s, const ktg_branch *branch, uint32_t from, uint
 
 /* ---- steps ---------------------------------------------------------------------------------- */
 
-/* A random branch and a random cut edge on its border. */
-static bool draw_graft(const filling *s, ktg_branch *branch, ktg_graft *graft) {
-    const ktg_arrangement *a = s->a;
-    ktg_random *random = &s->search->random;
-    uint32_t face = (uint32_t)ktg_random_below(random, a->dual->face_count);
-    uint32_t fold = a->parent_edge[face];
-    if (fold == KTG_NONE || a->dual->edges[fold].rigid)
-        return false;
-    *branch = ktg_branch_at(a, face);
-    for (int tries = 0; tries < 4; tries++) {
-        uint32_t f = a->order[branch->first + ktg_random_below(random, branch->count)];
-        uint32_t own = 3 * f + (uint32_t)ktg_random_below(random, 3);
-        uint32_t e = a->dual->halfedge_edge[own];
-        if (e == KTG_NONE || a->folded[e])
-            continue;
-        uint32_t other = ktg_arrangement_across(a, e, own);
-        if (ktg_branch_holds(a, branch, other / 3))
-            continue;
-        *graft = (ktg_graft){.edge = e, .own = own, .other = other};
-        ktg_graft_motion(a, graft);
-        return true;
-    }
-    return false;
-}
-
-static double draw_allowance(filling *s) {
-    return -s->temperature * log(1 - ktg_random_unit(&s->search->random));
-}
-
-/* Grafts and finds all tabs that the graft touches; takes all back where that costs too much. */
-static ktg_status attempt_with_tabs(ktg_context *context, filling *s, ktg_branch *branch,
-                                    const ktg_graft *graft, double allowed, bool *done) {
-    double price = s->tabs->price;
-    s->work += ATTEMPT_WORK;
-    ktg_seam_tabs_begin(s->tabs);
-    KTG_TRY(ktg_seam_tabs_damage(context, s->tabs, branch, graft));
-    ktg_branch_save(s->a, branch, &s->saved);
-    KTG_TRY(ktg_arrangement_graft(context, s->a, branch, graft));
-    KTG_TRY(ktg_seam_tabs_follow(context, s->tabs, branch, graft->edge, s->saved.fold));
-    *done = s->tab_price * (s->tabs->price - price) <= allowed;
-    if (*done)
-        return KTG_OK;
-    KTG_TRY(ktg_arrangement_ungraft(context, s->a, branch, &s->saved));
-    KTG_TRY(ktg_seam_tabs_lay(context, s->tabs, branch));
-    return ktg_seam_tabs_undo(context, s->tabs);
-}
-
 static ktg_status graft_step(ktg_context *context, filling *s, ktg_branch *branch,
                              const ktg_graft *graft) {
     uint32_t from = s->a->piece[branch->top], to = s->a->piece[graft->other / 3];
-    double allowed = draw_allowance(s) - shape_change(s, branch, graft), change = 0;
+    double allowed = ktg_draw_allowance(&s->search->random, s->temperature) -
+                     shape_change(s, branch, graft),
+           change = 0;
     double gain = s->tabs ? s->tab_price * s->tabs->tabs[graft->edge].price : 0;
     bool done = true;
     if (!ktg_sheet_room_allows(&s->room, branch, graft, allowed + gain, &change, &s->work) ||
         ktg_graft_conflicts(s->a, branch, graft, 0) > 0)
         return KTG_OK;
+    s->work += s->tabs ? ATTEMPT_WORK : 0;
     if (s->tabs)
-        KTG_TRY(attempt_with_tabs(context, s, branch, graft, allowed - change, &done));
+        KTG_TRY(ktg_graft_with_tabs(context, s->tabs, branch, graft, &s->saved, s->tab_price,
+                                    allowed - change, &done));
     else
         KTG_TRY(ktg_arrangement_graft(context, s->a, branch, graft));
     if (!done)
@@ -198,32 +156,18 @@ static ktg_status graft_step(ktg_context *context, filling *s, ktg_branch *branc
     return KTG_OK;
 }
 
-/* Another tab for a seam that has none, or not a full one. */
-static ktg_status tab_step(ktg_context *context, filling *s) {
-    static const double parts[] = {1, 0.7, 0.4};
-    ktg_seam_tabs *t = s->tabs;
-    ktg_random *random = &s->search->random;
-    if (t->unhappy_count == 0)
-        return KTG_OK;
-    uint32_t e = t->unhappy[ktg_random_below(random, t->unhappy_count)];
-    double price = t->price, allowed = draw_allowance(s);
-    size_t way = ktg_random_below(random, 4);
-    s->work += ATTEMPT_WORK;
-    ktg_seam_tabs_begin(t);
-    if (way == 3)
-        KTG_TRY(ktg_seam_tabs_choose(context, t, e));
-    else
-        KTG_TRY(ktg_seam_tabs_push(context, t, e, (int)ktg_random_below(random, 2), parts[way]));
-    return s->tab_price * (t->price - price) > allowed ? ktg_seam_tabs_undo(context, t) : KTG_OK;
-}
-
 static ktg_status take_step(ktg_context *context, filling *s, uint64_t step) {
     ktg_branch branch;
     ktg_graft graft;
     s->work += STEP_WORK;
-    if (s->tabs && step % TAB_STEPS == 0)
-        return tab_step(context, s);
-    return draw_graft(s, &branch, &graft) ? graft_step(context, s, &branch, &graft) : KTG_OK;
+    if (s->tabs && step % TAB_STEPS == 0) {
+        s->work += s->tabs->unhappy_count > 0 ? ATTEMPT_WORK : 0;
+        return ktg_tab_step(context, s->tabs, &s->search->random, s->tab_price, s->temperature);
+    }
+    size_t face = ktg_random_below(&s->search->random, s->a->dual->face_count);
+    if (!ktg_draw_graft(s->a, &s->search->random, (uint32_t)face, &branch, &graft))
+        return KTG_OK;
+    return graft_step(context, s, &branch, &graft);
 }
 
 /* ---- phases --------------------------------------------------------------------------------- */
