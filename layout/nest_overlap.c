@@ -1,0 +1,117 @@
+/* layout/nest_overlap.c - do two covers overlap, and how badly? */
+#include "layout/nest_state.h"
+
+/* Below this depth, relative to the larger diameter, circles still attract a little: it tells a
+ * position whose circles are nearly apart from one where they are. */
+#define SOFTNESS 0.01f
+
+/* How deep the poles reach into each other, added up: with d what two circles would have to move to
+ * part, softened to (d + sqrt(d^2 + 4 e^2)) / 2, times the smaller radius. *deep: some d > 0. */
+static float pole_overlap(const nest_body *a, const nest_body *b, float softness, bool *deep) {
+    const nest_poles *p = &a->shape->poles, *q = &b->shape->poles;
+    float sums[NEST_POLE_BLOCK] = {0}, deepest[NEST_POLE_BLOCK];
+    float soft = 4 * softness * softness;
+    for (int k = 0; k < NEST_POLE_BLOCK; k++)
+        deepest[k] = -1;
+    for (uint32_t i = 0; i < p->count; i++) {
+        float x = a->pole_x[i], y = a->pole_y[i], r = p->radius[i];
+        for (uint32_t j = 0; j < q->count; j += NEST_POLE_BLOCK)
+            for (uint32_t k = 0; k < NEST_POLE_BLOCK; k++) {
+                float dx = b->pole_x[j + k] - x, dy = b->pole_y[j + k] - y;
+                float radius = q->radius[j + k];
+                float d = r + radius - sqrtf(dx * dx + dy * dy);
+                float least = radius < r ? radius : r;
+                sums[k] += (d + sqrtf(d * d + soft)) * least;
+                deepest[k] = d > deepest[k] ? d : deepest[k];
+            }
+    }
+    *deep = deepest[0] > 0 || deepest[1] > 0 || deepest[2] > 0 || deepest[3] > 0;
+    return (sums[0] + sums[1] + sums[2] + sums[3]) / 2;
+}
+
+static double turn_of(ktg_vec2 a, ktg_vec2 b, ktg_vec2 c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/* True when the segments have a point in common. Their boxes meet. */
+static bool segments_touch(ktg_vec2 a, ktg_vec2 b, ktg_vec2 c, ktg_vec2 d) {
+    double ac = turn_of(a, b, c), ad = turn_of(a, b, d);
+    if ((ac > 0 && ad > 0) || (ac < 0 && ad < 0))
+        return false;
+    double ca = turn_of(c, d, a), cb = turn_of(c, d, b);
+    return !((ca > 0 && cb > 0) || (ca < 0 && cb < 0));
+}
+
+static bool side_meets(ktg_vec2 a, ktg_vec2 b, ktg_vec2 low, ktg_vec2 high) {
+    return (a.x >= low.x || b.x >= low.x) && (a.x <= high.x || b.x <= high.x) &&
+           (a.y >= low.y || b.y >= low.y) && (a.y <= high.y || b.y <= high.y);
+}
+
+/* The sides of a body that may lie in a box, by their first corner. */
+static uint32_t sides_in(const nest_body *body, ktg_vec2 low, ktg_vec2 high, uint32_t *sides) {
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < body->shape->corner_count; i++)
+        if (side_meets(body->corners[i], body->corners[i + 1], low, high))
+            sides[count++] = i;
+    return count;
+}
+
+/* True when the boundaries have a point in common: touching counts, so that covers which lie flush
+ * along a side, or on each other, are not taken for apart. */
+static bool boundaries_touch(nest_state *state, const nest_body *a, const nest_body *b,
+                             ktg_vec2 low, ktg_vec2 high) {
+    uint32_t count = sides_in(a, low, high, state->window);
+    state->work += a->shape->corner_count + b->shape->corner_count;
+    if (count == 0)
+        return false;
+    for (uint32_t j = 0; j < b->shape->corner_count; j++) {
+        ktg_vec2 c = b->corners[j], d = b->corners[j + 1];
+        if (!side_meets(c, d, low, high))
+            continue;
+        state->work += count;
+        ktg_vec2 l = {c.x < d.x ? c.x : d.x, c.y < d.y ? c.y : d.y};
+        ktg_vec2 h = {c.x < d.x ? d.x : c.x, c.y < d.y ? d.y : c.y};
+        for (uint32_t k = 0; k < count; k++) {
+            ktg_vec2 p = a->corners[state->window[k]], q = a->corners[state->window[k] + 1];
+            if (side_meets(p, q, l, h) && segments_touch(p, q, c, d))
+                return true;
+        }
+    }
+    return false;
+}
+
+static bool holds(const nest_body *body, ktg_vec2 p) {
+    bool inside = false;
+    for (uint32_t i = 0; i < body->shape->corner_count; i++) {
+        ktg_vec2 a = body->corners[i], b = body->corners[i + 1];
+        if ((a.y > p.y) != (b.y > p.y) && (turn_of(a, b, p) > 0) == (b.y > a.y))
+            inside = !inside;
+    }
+    return inside;
+}
+
+static bool box_holds(const nest_body *a, const nest_body *b) {
+    return a->low.x <= b->low.x && a->low.y <= b->low.y && a->high.x >= b->high.x &&
+           a->high.y >= b->high.y;
+}
+
+static bool covers_meet(nest_state *state, const nest_body *a, const nest_body *b) {
+    ktg_vec2 low = {fmax(a->low.x, b->low.x), fmax(a->low.y, b->low.y)};
+    ktg_vec2 high = {fmin(a->high.x, b->high.x), fmin(a->high.y, b->high.y)};
+    return boundaries_touch(state, a, b, low, high) ||
+           (box_holds(a, b) && holds(a, b->corners[0])) ||
+           (box_holds(b, a) && holds(b, a->corners[0]));
+}
+
+double nest_overlap(nest_state *state, const nest_body *a, const nest_body *b) {
+    if (!(a->low.x <= b->high.x && b->low.x <= a->high.x && a->low.y <= b->high.y &&
+          b->low.y <= a->high.y))
+        return 0;
+    float softness = SOFTNESS * (float)fmax(a->shape->diameter, b->shape->diameter);
+    bool deep;
+    float sum = pole_overlap(a, b, softness, &deep);
+    state->work += a->shape->poles.count * b->shape->poles.count / 4;
+    if (!deep && !covers_meet(state, a, b))
+        return 0;
+    return sqrt((double)(sum + softness * softness) * a->shape->size * b->shape->size);
+}
