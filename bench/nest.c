@@ -2,9 +2,9 @@
  *
  *     BUILD/bench/nest [--seconds S] [--work N] [--seed N] INSTANCE.json...
  */
+#include "layout/nest.h"
 #include "core/clock.h"
 #include "core/vec.h"
-#include "layout/nest.h"
 #include "pattern/pattern.h"
 
 #include <jansson.h>
@@ -24,7 +24,7 @@ typedef struct instance {
 static const struct {
     const char *name;
     double density;
-} records[] = {{"albano", 89.8},  {"blaz1", 86.2},  {"dagli", 90.2},  {"fu", 92.4},
+} records[] = {{"albano", 89.8},  {"blaz1", 86.2},   {"dagli", 90.2},  {"fu", 92.4},
                {"jakobs1", 89.2}, {"jakobs2", 87.7}, {"mao", 86.9},    {"marques", 92.0},
                {"shapes0", 70.0}, {"shapes1", 76.7}, {"shirts", 90.9}, {"swim", 79.8},
                {"trousers", 92.6}};
@@ -150,8 +150,9 @@ int main(int argc, char **argv) {
             return 1;
         ktg_context_set_seed(context, seed);
         ktg_nest_place *places = checked(calloc(in.item_count, sizeof *places));
-        ktg_nest_problem problem = {in.shapes, in.shape_count, in.items, in.item_count, in.width,
-                                    INFINITY,  0,              work,     seconds};
+        ktg_nest_problem problem = {in.shapes, in.shape_count, in.items, in.item_count,
+                                    in.width,  INFINITY,       0,        work,
+                                    seconds};
         ktg_nest_report report;
         double began = ktg_clock_seconds();
         ktg_status status = start(context, &in, places);

@@ -6,20 +6,20 @@
 #include "core/clock.h"
 #include "core/memory.h"
 
+#include <stdio.h>
 #include <string.h>
 
-#define FIRST_STEP   0.08   /* of the total length */
-#define LEAST_STEP   0.001  /* while exploring */
-#define EXPLORE      0.8    /* of the work */
-#define COMPRESS     0.0005 /* first step of the compression, */
+#define FIRST_STEP   0.08    /* of the total length */
+#define LEAST_STEP   0.001   /* while exploring */
+#define EXPLORE      0.8     /* of the work */
+#define COMPRESS     0.0005  /* first step of the compression, */
 #define COMPRESS_END 0.00001 /* and the last */
 
 typedef struct search {
     nest_state state;
-    nest_pose *best;  /* item_count: proven */
-    nest_pose *tried; /* item_count */
+    nest_pose *best;   /* item_count: proven */
     ktg_vec2 **placed; /* item_count: outlines as they lie, for the proof */
-    double length;    /* total, of the best */
+    double length;     /* total, of the best */
     uint32_t records;
 } search;
 
@@ -28,10 +28,10 @@ typedef struct search {
 static nest_pose pose_of(const nest_shape *shape, const ktg_nest_place *place) {
     nest_turn turn = nest_turn_by(shape, place->turn);
     ktg_vec2 m = shape->middle;
-    return (nest_pose){place->bin,
-                       turn,
-                       {place->x + turn.c * m.x - turn.s * m.y,
-                        place->y + turn.s * m.x + turn.c * m.y}};
+    return (nest_pose){
+        place->bin,
+        turn,
+        {place->x + turn.c * m.x - turn.s * m.y, place->y + turn.s * m.x + turn.c * m.y}};
 }
 
 static ktg_nest_place place_of(const nest_shape *shape, const nest_pose *pose) {
@@ -82,16 +82,6 @@ static bool is_proven(search *s) {
 
 /* ---- lengths ------------------------------------------------------------------------------ */
 
-static void load(nest_state *state, const nest_pose *poses) {
-    for (uint32_t i = 0; i < state->item_count; i++)
-        nest_body_put(&state->bodies[i], &poses[i]);
-}
-
-static void save(const nest_state *state, nest_pose *poses) {
-    for (uint32_t i = 0; i < state->item_count; i++)
-        poses[i] = state->bodies[i].pose;
-}
-
 static void set_length(nest_state *state, double total) {
     double length = state->problem->length;
     if (isinf(length)) {
@@ -106,7 +96,7 @@ static void set_length(nest_state *state, double total) {
  * loses, and what has no bin any more goes anywhere. False when something fits nowhere. */
 static bool shrink(search *s, double total) {
     nest_state *state = &s->state;
-    load(state, s->best);
+    nest_load(state, s->best);
     double before = s->length;
     set_length(state, total);
     double cut = ktg_random_unit(&state->random) * state->last_length;
@@ -128,7 +118,7 @@ static bool shrink(search *s, double total) {
 static bool take(search *s) {
     if (!is_proven(s))
         return false;
-    save(&s->state, s->best);
+    nest_save(&s->state, s->best);
     s->length = total_length(&s->state, s->best);
     s->records++;
     return true;
@@ -169,32 +159,55 @@ static double share_done(const search *s) {
     return share;
 }
 
+#include <stdlib.h>
+double nest_tune(const char *name, double otherwise);
+double nest_tune(const char *name, double otherwise) {
+    const char *v = getenv(name);
+    return v ? atof(v) : otherwise;
+}
 static ktg_status explore(search *s) {
-    double step = FIRST_STEP;
-    while (!nest_is_over(&s->state) && share_done(s) < EXPLORE) {
+    double step = nest_tune("STEP0", FIRST_STEP);
+    double least = nest_tune("STEPL", LEAST_STEP), grow = nest_tune("GROW", 1.1);
+    int p0 = nest_tune("P0", 20), p1 = nest_tune("P1", 50), s0 = nest_tune("S0", 1),
+        s1 = nest_tune("S1", 3);
+    while (!nest_is_over(&s->state) && share_done(s) < nest_tune("EXPL", EXPLORE)) {
         bool done = false;
         double total = s->length * (1 - step);
+        bool fine = step <= 0.011;
         if (shrink(s, total)) {
-            KTG_TRY(nest_separate(&s->state, 3, 50, &done));
-            for (int k = 0; !done && step <= LEAST_STEP && !nest_is_over(&s->state) && share_done(s) < EXPLORE; k++) {
+            KTG_TRY(nest_separate(&s->state, fine ? s1 : s0, fine ? p1 : p0, &done));
+            for (int k = 0;
+                 !done && step <= least && !nest_is_over(&s->state) && share_done(s) < EXPLORE;
+                 k++) {
                 disturb(&s->state);
-                KTG_TRY(nest_separate(&s->state, 3, 50, &done));
+                KTG_TRY(nest_separate(&s->state, s1, p1, &done));
             }
         }
+        if (getenv("TRACE"))
+            fprintf(stderr, "TRACE %.2f step %.4f total %.3f done %d work %.1f\n",
+                    ktg_clock_seconds() - s->state.started, step, total, done, s->state.work / 1e6);
         if (!(done && take(s)))
-            step = fmax(step / 2, LEAST_STEP);
+            step = fmax(step / 2, least);
+        else
+            step *= grow;
     }
     return KTG_OK;
 }
 
 static ktg_status compress(search *s) {
-    double step = COMPRESS;
+    double step, expl = nest_tune("EXPL", EXPLORE), c0 = nest_tune("C0", COMPRESS),
+                 c1 = nest_tune("C1", COMPRESS_END);
+    int p = nest_tune("CP", 50), st = nest_tune("CS", 1);
     while (!nest_is_over(&s->state)) {
         bool done = false;
-        double left = (1 - share_done(s)) / (1 - EXPLORE);
-        step = COMPRESS_END + (COMPRESS - COMPRESS_END) * fmin(1, fmax(0, left));
+        double left = (1 - share_done(s)) / (1 - expl);
+        step = c1 + (c0 - c1) * fmin(1, fmax(0, left));
         if (shrink(s, s->length * (1 - step)))
-            KTG_TRY(nest_separate(&s->state, 1, 50, &done));
+            KTG_TRY(nest_separate(&s->state, st, p, &done));
+        if (getenv("TRACE"))
+            fprintf(stderr, "TRACEC %.2f step %.4f total %.3f done %d work %.1f\n",
+                    ktg_clock_seconds() - s->state.started, step, s->length, done,
+                    s->state.work / 1e6);
         if (done)
             (void)take(s);
     }
@@ -207,13 +220,11 @@ static ktg_status make(ktg_context *context, const ktg_nest_problem *problem, se
     KTG_TRY(nest_state_make(context, problem, &s->state));
     size_t n = problem->item_count;
     s->best = ktg_new(context, n, nest_pose);
-    s->tried = ktg_new(context, n, nest_pose);
     s->placed = ktg_new(context, n, ktg_vec2 *);
-    if (!s->best || !s->tried || !s->placed)
+    if (!s->best || !s->placed)
         return KTG_MEMORY;
     for (size_t i = 0; i < n; i++) {
-        s->placed[i] =
-            ktg_new(context, problem->shapes[problem->items[i]].outline_count, ktg_vec2);
+        s->placed[i] = ktg_new(context, problem->shapes[problem->items[i]].outline_count, ktg_vec2);
         if (!s->placed[i])
             return KTG_MEMORY;
     }
@@ -226,7 +237,6 @@ static void drop(search *s, size_t item_count) {
         ktg_free(s->placed[i]);
     ktg_free(s->placed);
     ktg_free(s->best);
-    ktg_free(s->tried);
 }
 
 static ktg_status run(search *s, ktg_nest_place *places) {
@@ -238,6 +248,7 @@ static ktg_status run(search *s, ktg_nest_place *places) {
         return KTG_OK;
     KTG_TRY(explore(s));
     KTG_TRY(compress(s));
+    KTG_TRY(ktg_check_cancel(state->context));
     if (s->records > 0)
         for (uint32_t i = 0; i < state->item_count; i++)
             places[i] = place_of(state->bodies[i].shape, &s->best[i]);

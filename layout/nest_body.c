@@ -4,18 +4,14 @@
 #include "core/memory.h"
 
 ktg_status nest_body_make(ktg_context *context, const nest_shape *shape, uint32_t most_corners,
-                          uint32_t most_poles, nest_body *body) {
+                          nest_body *body) {
     *body = (nest_body){.shape = shape};
     body->corners = ktg_new(context, (size_t)most_corners + 1, ktg_vec2);
-    body->pole_x = ktg_new(context, (size_t)most_poles + NEST_POLE_BLOCK, float);
-    body->pole_y = ktg_new(context, (size_t)most_poles + NEST_POLE_BLOCK, float);
-    return body->corners && body->pole_x && body->pole_y ? KTG_OK : KTG_MEMORY;
+    return body->corners ? KTG_OK : KTG_MEMORY;
 }
 
 void nest_body_drop(nest_body *body) {
     ktg_free(body->corners);
-    ktg_free(body->pole_x);
-    ktg_free(body->pole_y);
 }
 
 static void put_corners(nest_body *body) {
@@ -41,8 +37,7 @@ void nest_body_put(nest_body *body, const nest_pose *pose) {
     const nest_poles *poles = &body->shape->poles;
     float c = (float)pose->turn.c, s = (float)pose->turn.s;
     float x = (float)pose->at.x, y = (float)pose->at.y;
-    uint32_t count = (poles->count + NEST_POLE_BLOCK - 1) / NEST_POLE_BLOCK * NEST_POLE_BLOCK;
-    for (uint32_t k = 0; k < count; k++) {
+    for (uint32_t k = 0; k < poles->padded; k++) {
         body->pole_x[k] = c * poles->x[k] - s * poles->y[k] + x;
         body->pole_y[k] = s * poles->x[k] + c * poles->y[k] + y;
     }

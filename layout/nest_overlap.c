@@ -5,28 +5,34 @@
  * position whose circles are nearly apart from one where they are. */
 #define SOFTNESS 0.01f
 
+/* What one pole adds to the overlap with each of the other's poles; loops without branches over
+ * whole blocks, so that a compiler takes four at a time. */
+static void add_pole(float x, float y, float radius, float soft, const float *restrict other_x,
+                     const float *restrict other_y, const float *restrict other_radius,
+                     uint32_t count, float *restrict sums, float *restrict deepest) {
+    for (uint32_t k = 0; k < count; k++) {
+        float dx = other_x[k] - x, dy = other_y[k] - y;
+        float least = other_radius[k] < radius ? other_radius[k] : radius;
+        float d = radius + other_radius[k] - sqrtf(dx * dx + dy * dy);
+        sums[k] += (d + sqrtf(d * d + soft)) * least;
+        deepest[k] = d > deepest[k] ? d : deepest[k];
+    }
+}
+
 /* How deep the poles reach into each other, added up: with d what two circles would have to move to
  * part, softened to (d + sqrt(d^2 + 4 e^2)) / 2, times the smaller radius. *deep: some d > 0. */
 static float pole_overlap(const nest_body *a, const nest_body *b, float softness, bool *deep) {
     const nest_poles *p = &a->shape->poles, *q = &b->shape->poles;
-    float sums[NEST_POLE_BLOCK] = {0}, deepest[NEST_POLE_BLOCK];
-    float soft = 4 * softness * softness;
-    for (int k = 0; k < NEST_POLE_BLOCK; k++)
-        deepest[k] = -1;
-    for (uint32_t i = 0; i < p->count; i++) {
-        float x = a->pole_x[i], y = a->pole_y[i], r = p->radius[i];
-        for (uint32_t j = 0; j < q->count; j += NEST_POLE_BLOCK)
-            for (uint32_t k = 0; k < NEST_POLE_BLOCK; k++) {
-                float dx = b->pole_x[j + k] - x, dy = b->pole_y[j + k] - y;
-                float radius = q->radius[j + k];
-                float d = r + radius - sqrtf(dx * dx + dy * dy);
-                float least = radius < r ? radius : r;
-                sums[k] += (d + sqrtf(d * d + soft)) * least;
-                deepest[k] = d > deepest[k] ? d : deepest[k];
-            }
+    float sums[NEST_MOST_POLES] = {0}, deepest[NEST_MOST_POLES] = {0}, sum = 0, most = 0;
+    for (uint32_t i = 0; i < p->count; i++)
+        add_pole(a->pole_x[i], a->pole_y[i], p->radius[i], 4 * softness * softness, b->pole_x,
+                 b->pole_y, q->radius, q->padded, sums, deepest);
+    for (uint32_t k = 0; k < q->count; k++) {
+        sum += sums[k];
+        most = deepest[k] > most ? deepest[k] : most;
     }
-    *deep = deepest[0] > 0 || deepest[1] > 0 || deepest[2] > 0 || deepest[3] > 0;
-    return (sums[0] + sums[1] + sums[2] + sums[3]) / 2;
+    *deep = most > 0;
+    return sum / 2;
 }
 
 static double turn_of(ktg_vec2 a, ktg_vec2 b, ktg_vec2 c) {

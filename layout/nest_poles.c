@@ -6,7 +6,6 @@
 /* Points along the longer side of the box at which a circle's centre is looked for. */
 #define LATTICE 40
 
-#define MOST_POLES      32
 #define FEW_POLES       12
 #define MUCH_COVERAGE   0.9  /* of the area: enough for few poles */
 #define ENOUGH_COVERAGE 0.8  /* enough for more */
@@ -75,12 +74,11 @@ static void add_pole(nest_poles *poles, const site *at, site *sites, uint32_t co
     poles->y[k] = (float)at->at.y;
     poles->radius[k] = (float)at->room;
     for (uint32_t i = 0; i < count; i++)
-        sites[i].room =
-            fmin(sites[i].room, ktg_length2(ktg_sub2(sites[i].at, at->at)) - at->room);
+        sites[i].room = fmin(sites[i].room, ktg_length2(ktg_sub2(sites[i].at, at->at)) - at->room);
 }
 
 static bool is_enough(const nest_poles *poles, double covered, double area) {
-    return poles->count == MOST_POLES ||
+    return poles->count == NEST_MOST_POLES ||
            (poles->count >= FEW_POLES && covered >= ENOUGH_COVERAGE * area) ||
            covered >= MUCH_COVERAGE * area;
 }
@@ -111,16 +109,18 @@ static void stand_in(const nest_shape *shape, nest_poles *poles) {
     }
 }
 
-static void fill_block(nest_poles *poles) {
-    for (uint32_t k = poles->count; k % NEST_POLE_BLOCK; k++) {
+static void pad(nest_poles *poles) {
+    poles->padded = (poles->count + 3) / 4 * 4;
+    for (uint32_t k = poles->count; k < poles->padded; k++) {
         poles->x[k] = poles->y[k] = 1e9f;
         poles->radius[k] = 0;
     }
 }
 
 ktg_status nest_poles_find(ktg_context *context, const nest_shape *shape, nest_poles *poles) {
-    *poles = (nest_poles){ktg_new(context, MOST_POLES, float), ktg_new(context, MOST_POLES, float),
-                          ktg_new(context, MOST_POLES, float), 0};
+    *poles = (nest_poles){ktg_new(context, NEST_MOST_POLES, float),
+                          ktg_new(context, NEST_MOST_POLES, float),
+                          ktg_new(context, NEST_MOST_POLES, float), 0, 0};
     site *sites = ktg_new(context, LATTICE * LATTICE, site);
     if (!poles->x || !poles->y || !poles->radius || !sites) {
         ktg_free(sites);
@@ -135,7 +135,7 @@ ktg_status nest_poles_find(ktg_context *context, const nest_shape *shape, nest_p
         fill(shape, step, sites, make_sites(shape, half, step, sites), poles);
     if (poles->count == 0)
         stand_in(shape, poles);
-    fill_block(poles);
+    pad(poles);
     ktg_free(sites);
     return KTG_OK;
 }

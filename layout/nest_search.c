@@ -2,15 +2,15 @@
  * lies, the best of them refined by coordinate descent. */
 #include "layout/nest_state.h"
 
-#define WIDE_SAMPLES  40
-#define NEAR_SAMPLES  20
-#define KEPT          3
-#define FIRST_STEP    0.25 /* of the shape's size */
-#define MIDDLE_STEP   0.02
-#define LAST_STEP     0.001
-#define STEP_GROWTH   1.1
-#define STEP_SHRINK   0.5
-#define RANDOM_TRIES  64
+#define WIDE_SAMPLES 40
+#define NEAR_SAMPLES 20
+#define KEPT         3
+#define FIRST_STEP   0.25 /* of the shape's size */
+#define MIDDLE_STEP  0.02
+#define LAST_STEP    0.001
+#define STEP_GROWTH  1.1
+#define STEP_SHRINK  0.5
+#define RANDOM_TRIES 64
 
 typedef struct candidate {
     nest_pose pose;
@@ -76,6 +76,7 @@ static bool random_position(nest_state *state, nest_pose *pose) {
 
 bool nest_random_pose(nest_state *state, const nest_shape *shape, nest_pose *pose) {
     for (int k = 0; k < RANDOM_TRIES; k++) {
+        state->work += 1 + shape->hull_count;
         pose->bin = random_bin(state);
         pose->turn = nest_turn_by(shape, random_angle(state, shape));
         if (random_position(state, pose))

@@ -48,20 +48,9 @@ static void improve_all(nest_state *state) {
         nest_improve(state, state->order[i]);
 }
 
-static void save(const nest_state *state, nest_pose *poses) {
-    for (uint32_t i = 0; i < state->item_count; i++)
-        poses[i] = state->bodies[i].pose;
-}
-
-static void restore(nest_state *state, const nest_pose *poses) {
-    for (uint32_t i = 0; i < state->item_count; i++)
-        nest_body_put(&state->bodies[i], &poses[i]);
-    nest_measure(state);
-}
-
-/* Improves until there was no progress for `patience` rounds; leaves the best in `best`. */
-static ktg_status strike(nest_state *state, uint32_t patience, nest_pose *best, double *least) {
-    for (uint32_t idle = 0; idle < patience && *least > 0 && !nest_is_over(state);) {
+/* Improves until there was no progress for `patience` rounds; leaves the best in state->kept. */
+static ktg_status strike(nest_state *state, uint32_t patience, double *least) {
+    for (uint32_t idle = 0; idle<patience && * least> 0 && !nest_is_over(state);) {
         KTG_TRY(ktg_check_cancel(state->context));
         improve_all(state);
         adapt_weights(state);
@@ -69,26 +58,22 @@ static ktg_status strike(nest_state *state, uint32_t patience, nest_pose *best, 
         idle = loss < MUCH_LESS * *least ? 0 : idle + 1;
         if (loss < *least) {
             *least = loss;
-            save(state, best);
+            nest_save(state, state->kept);
         }
     }
     return KTG_OK;
 }
 
 ktg_status nest_separate(nest_state *state, uint32_t strikes, uint32_t patience, bool *done) {
-    nest_pose *best = ktg_new(state->context, state->item_count, nest_pose);
-    if (!best)
-        return KTG_MEMORY;
     double least = nest_total_loss(state);
-    save(state, best);
-    ktg_status status = KTG_OK;
-    for (uint32_t k = 0; status == KTG_OK && k < strikes && least > 0 && !nest_is_over(state);) {
+    nest_save(state, state->kept);
+    for (uint32_t k = 0; k < strikes && least > 0 && !nest_is_over(state);) {
         double before = least;
-        status = strike(state, patience, best, &least);
+        KTG_TRY(strike(state, patience, &least));
         k = least < MUCH_LESS * before ? 0 : k + 1;
-        restore(state, best);
+        nest_load(state, state->kept);
+        nest_measure(state);
     }
     *done = least <= 0;
-    ktg_free(best);
-    return status;
+    return KTG_OK;
 }

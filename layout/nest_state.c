@@ -4,7 +4,7 @@
 #include "core/clock.h"
 #include "core/memory.h"
 
-static ktg_status make_shapes(nest_state *state, uint32_t *most_corners, uint32_t *most_poles) {
+static ktg_status make_shapes(nest_state *state, uint32_t *most_corners) {
     const ktg_nest_problem *problem = state->problem;
     state->shapes = ktg_new(state->context, problem->shape_count, nest_shape);
     if (!state->shapes)
@@ -14,27 +14,25 @@ static ktg_status make_shapes(nest_state *state, uint32_t *most_corners, uint32_
         KTG_TRY(nest_shape_make(state->context, &problem->shapes[i], shape));
         if (shape->corner_count > *most_corners)
             *most_corners = shape->corner_count;
-        if (shape->poles.count > *most_poles)
-            *most_poles = shape->poles.count;
     }
     return KTG_OK;
 }
 
-static ktg_status make_bodies(nest_state *state, uint32_t most_corners, uint32_t most_poles) {
+static ktg_status make_bodies(nest_state *state, uint32_t most_corners) {
     uint32_t n = state->item_count;
     state->bodies = ktg_new(state->context, (size_t)n + 1, nest_body);
     if (!state->bodies)
         return KTG_MEMORY;
     for (uint32_t i = 0; i <= n; i++) {
         const nest_shape *shape = &state->shapes[state->problem->items[i < n ? i : 0]];
-        KTG_TRY(nest_body_make(state->context, shape, most_corners, most_poles, &state->bodies[i]));
+        KTG_TRY(nest_body_make(state->context, shape, most_corners, &state->bodies[i]));
     }
     return KTG_OK;
 }
 
 ktg_status nest_state_make(ktg_context *context, const ktg_nest_problem *problem,
                            nest_state *state) {
-    uint32_t most_corners = 0, most_poles = 0;
+    uint32_t most_corners = 0;
     size_t n = problem->item_count;
     *state = (nest_state){.context = context,
                           .problem = problem,
@@ -44,13 +42,16 @@ ktg_status nest_state_make(ktg_context *context, const ktg_nest_problem *problem
                           .work_limit = problem->work,
                           .started = ktg_clock_seconds()};
     ktg_random_seed(&state->random, ktg_context_seed(context));
-    KTG_TRY(make_shapes(state, &most_corners, &most_poles));
-    KTG_TRY(make_bodies(state, most_corners, most_poles));
+    KTG_TRY(make_shapes(state, &most_corners));
+    KTG_TRY(make_bodies(state, most_corners));
     state->losses = ktg_new(context, n * n, float);
     state->weights = ktg_new(context, n * n, float);
     state->order = ktg_new(context, n, uint32_t);
     state->window = ktg_new(context, most_corners, uint32_t);
-    return state->losses && state->weights && state->order && state->window ? KTG_OK : KTG_MEMORY;
+    state->kept = ktg_new(context, n, nest_pose);
+    return state->losses && state->weights && state->order && state->window && state->kept
+               ? KTG_OK
+               : KTG_MEMORY;
 }
 
 void nest_state_drop(nest_state *state) {
@@ -64,6 +65,7 @@ void nest_state_drop(nest_state *state) {
     ktg_free(state->weights);
     ktg_free(state->order);
     ktg_free(state->window);
+    ktg_free(state->kept);
 }
 
 static bool clamp(double *at, double low, double high, double room) {
@@ -92,6 +94,16 @@ static void measure_item(nest_state *state, uint32_t item) {
             loss = (float)nest_overlap(state, body, other);
         state->losses[item * n + i] = state->losses[i * n + item] = loss;
     }
+}
+
+void nest_save(const nest_state *state, nest_pose *poses) {
+    for (uint32_t i = 0; i < state->item_count; i++)
+        poses[i] = state->bodies[i].pose;
+}
+
+void nest_load(nest_state *state, const nest_pose *poses) {
+    for (uint32_t i = 0; i < state->item_count; i++)
+        nest_body_put(&state->bodies[i], &poses[i]);
 }
 
 void nest_move(nest_state *state, uint32_t item, const nest_pose *pose) {

@@ -10,13 +10,12 @@
 #include "core/vec.h"
 #include "layout/nest.h"
 
-/* Poles come in blocks of this many; the last block is filled with circles of radius 0. */
-#define NEST_POLE_BLOCK 4
+#define NEST_MOST_POLES 32
 
 /* Inscribed circles that stand for a polygon when an overlap is measured. */
 typedef struct nest_poles {
-    float *x, *y, *radius; /* count rounded up to blocks */
-    uint32_t count;
+    float *x, *y, *radius;  /* padded: far away and of radius 0 from count on */
+    uint32_t count, padded; /* padded is a multiple of 4 */
 } nest_poles;
 
 /* A shape in its own frame, with the middle of its box in the origin. */
@@ -54,7 +53,7 @@ typedef struct nest_body {
     nest_pose pose;
     ktg_vec2 low, high; /* box of the cover */
     ktg_vec2 *corners;  /* corner_count + 1 */
-    float *pole_x, *pole_y;
+    float pole_x[NEST_MOST_POLES], pole_y[NEST_MOST_POLES];
 } nest_body;
 
 typedef struct nest_state {
@@ -69,6 +68,7 @@ typedef struct nest_state {
     float *weights;     /* likewise */
     uint32_t *order;    /* item_count */
     uint32_t *window;   /* sides of a polygon that lie where two boxes meet */
+    nest_pose *kept;    /* item_count: the best of a separation */
     ktg_random random;
     uint64_t work, work_limit;
     double started; /* clock */
@@ -87,8 +87,7 @@ nest_turn nest_turn_by(const nest_shape *shape, double angle);
 /* ---- bodies and overlaps (nest_body.c, nest_overlap.c) ------------------------------------ */
 
 KTG_NODISCARD ktg_status nest_body_make(ktg_context *context, const nest_shape *shape,
-                                        uint32_t most_corners, uint32_t most_poles,
-                                        nest_body *body);
+                                        uint32_t most_corners, nest_body *body);
 void nest_body_drop(nest_body *body);
 void nest_body_put(nest_body *body, const nest_pose *pose);
 /* 0 when the covers are apart; otherwise more, the further they would have to move. */
@@ -105,6 +104,8 @@ static inline double nest_bin_length(const nest_state *state, uint32_t bin) {
 }
 /* Moves `at` into the bin; false when the shape does not fit there with that turn. */
 bool nest_clamp(const nest_state *state, nest_pose *pose);
+void nest_save(const nest_state *state, nest_pose *poses);
+void nest_load(nest_state *state, const nest_pose *poses); /* leaves the losses alone */
 void nest_move(nest_state *state, uint32_t item, const nest_pose *pose);
 /* All losses anew. */
 void nest_measure(nest_state *state);
