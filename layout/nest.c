@@ -6,11 +6,12 @@
 #include "core/clock.h"
 #include "core/memory.h"
 
-#include <stdio.h>
 #include <string.h>
 
-#define FIRST_STEP   0.08    /* of the total length */
-#define LEAST_STEP   0.001   /* while exploring */
+#define FIRST_STEP   0.08  /* of the total length */
+#define SMALL_STEP   0.011 /* from here on overlaps are resolved with more patience */
+#define LEAST_STEP   0.001 /* while exploring */
+#define STEP_GROWTH  1.1
 #define EXPLORE      0.8     /* of the work */
 #define COMPRESS     0.0005  /* first step of the compression, */
 #define COMPRESS_END 0.00001 /* and the last */
@@ -107,7 +108,7 @@ static bool shrink(search *s, double total) {
         if ((pose.bin >= state->bin_count || !nest_clamp(state, &pose)) &&
             !nest_random_pose(state, state->bodies[i].shape, &pose))
             return false;
-        nest_body_put(&state->bodies[i], &pose);
+        nest_put(state, i, &pose);
     }
     nest_forget_weights(state);
     nest_measure(state);
@@ -144,9 +145,9 @@ static void disturb(nest_state *state) {
     nest_pose a = state->bodies[pair[0]].pose, b = state->bodies[pair[1]].pose;
     nest_pose to_a = {b.bin, a.turn, b.at}, to_b = {a.bin, b.turn, a.at};
     if (nest_clamp(state, &to_a))
-        nest_body_put(&state->bodies[pair[0]], &to_a);
+        nest_put(state, pair[0], &to_a);
     if (nest_clamp(state, &to_b))
-        nest_body_put(&state->bodies[pair[1]], &to_b);
+        nest_put(state, pair[1], &to_b);
     nest_forget_weights(state);
     nest_measure(state);
 }
@@ -159,55 +160,41 @@ static double share_done(const search *s) {
     return share;
 }
 
-#include <stdlib.h>
-double nest_tune(const char *name, double otherwise);
-double nest_tune(const char *name, double otherwise) {
-    const char *v = getenv(name);
-    return v ? atof(v) : otherwise;
+/* While there is work for this phase. */
+static bool goes_on(search *s, double share) {
+    return !nest_is_over(&s->state) && share_done(s) < share;
 }
+
+/* Resolves what shrinking brought about; where steps are small already, from other arrangements
+ * too. */
+static ktg_status resolve(search *s, double step, bool *done) {
+    bool large = step > SMALL_STEP;
+    KTG_TRY(nest_separate(&s->state, large ? 1 : 3, large ? 20 : 50, done));
+    while (!*done && step <= LEAST_STEP && goes_on(s, EXPLORE)) {
+        disturb(&s->state);
+        KTG_TRY(nest_separate(&s->state, 3, 50, done));
+    }
+    return KTG_OK;
+}
+
 static ktg_status explore(search *s) {
-    double step = nest_tune("STEP0", FIRST_STEP);
-    double least = nest_tune("STEPL", LEAST_STEP), grow = nest_tune("GROW", 1.1);
-    int p0 = nest_tune("P0", 20), p1 = nest_tune("P1", 50), s0 = nest_tune("S0", 1),
-        s1 = nest_tune("S1", 3);
-    while (!nest_is_over(&s->state) && share_done(s) < nest_tune("EXPL", EXPLORE)) {
+    double step = FIRST_STEP;
+    while (goes_on(s, EXPLORE)) {
         bool done = false;
-        double total = s->length * (1 - step);
-        bool fine = step <= 0.011;
-        if (shrink(s, total)) {
-            KTG_TRY(nest_separate(&s->state, fine ? s1 : s0, fine ? p1 : p0, &done));
-            for (int k = 0;
-                 !done && step <= least && !nest_is_over(&s->state) && share_done(s) < EXPLORE;
-                 k++) {
-                disturb(&s->state);
-                KTG_TRY(nest_separate(&s->state, s1, p1, &done));
-            }
-        }
-        if (getenv("TRACE"))
-            fprintf(stderr, "TRACE %.2f step %.4f total %.3f done %d work %.1f\n",
-                    ktg_clock_seconds() - s->state.started, step, total, done, s->state.work / 1e6);
-        if (!(done && take(s)))
-            step = fmax(step / 2, least);
-        else
-            step *= grow;
+        if (shrink(s, s->length * (1 - step)))
+            KTG_TRY(resolve(s, step, &done));
+        step = done && take(s) ? step * STEP_GROWTH : fmax(step / 2, LEAST_STEP);
     }
     return KTG_OK;
 }
 
 static ktg_status compress(search *s) {
-    double step, expl = nest_tune("EXPL", EXPLORE), c0 = nest_tune("C0", COMPRESS),
-                 c1 = nest_tune("C1", COMPRESS_END);
-    int p = nest_tune("CP", 50), st = nest_tune("CS", 1);
-    while (!nest_is_over(&s->state)) {
+    while (goes_on(s, 1)) {
         bool done = false;
-        double left = (1 - share_done(s)) / (1 - expl);
-        step = c1 + (c0 - c1) * fmin(1, fmax(0, left));
+        double left = fmax(0, 1 - share_done(s)) / (1 - EXPLORE);
+        double step = COMPRESS_END + (COMPRESS - COMPRESS_END) * fmin(1, left);
         if (shrink(s, s->length * (1 - step)))
-            KTG_TRY(nest_separate(&s->state, st, p, &done));
-        if (getenv("TRACE"))
-            fprintf(stderr, "TRACEC %.2f step %.4f total %.3f done %d work %.1f\n",
-                    ktg_clock_seconds() - s->state.started, step, s->length, done,
-                    s->state.work / 1e6);
+            KTG_TRY(nest_separate(&s->state, 1, 50, &done));
         if (done)
             (void)take(s);
     }

@@ -14,31 +14,23 @@ void nest_body_drop(nest_body *body) {
     ktg_free(body->corners);
 }
 
-static void put_corners(nest_body *body) {
-    const nest_shape *shape = body->shape;
-    double c = body->pose.turn.c, s = body->pose.turn.s;
-    ktg_vec2 at = body->pose.at, low = {INFINITY, INFINITY}, high = {-INFINITY, -INFINITY};
-    for (uint32_t i = 0; i <= shape->corner_count; i++) {
-        ktg_vec2 p = shape->corners[i];
-        double x = c * p.x - s * p.y + at.x, y = s * p.x + c * p.y + at.y;
-        body->corners[i] = (ktg_vec2){x, y};
-        low.x = x < low.x ? x : low.x;
-        low.y = y < low.y ? y : low.y;
-        high.x = x > high.x ? x : high.x;
-        high.y = y > high.y ? y : high.y;
-    }
-    body->low = low;
-    body->high = high;
-}
-
 void nest_body_put(nest_body *body, const nest_pose *pose) {
-    body->pose = *pose;
-    put_corners(body);
     const nest_poles *poles = &body->shape->poles;
     float c = (float)pose->turn.c, s = (float)pose->turn.s;
     float x = (float)pose->at.x, y = (float)pose->at.y;
+    body->pose = *pose;
     for (uint32_t k = 0; k < poles->padded; k++) {
         body->pole_x[k] = c * poles->x[k] - s * poles->y[k] + x;
         body->pole_y[k] = s * poles->x[k] + c * poles->y[k] + y;
+    }
+}
+
+void nest_body_put_corners(nest_body *body) {
+    const nest_shape *shape = body->shape;
+    double c = body->pose.turn.c, s = body->pose.turn.s;
+    ktg_vec2 at = body->pose.at;
+    for (uint32_t i = 0; i <= shape->corner_count; i++) {
+        ktg_vec2 p = shape->corners[i];
+        body->corners[i] = (ktg_vec2){c * p.x - s * p.y + at.x, s * p.x + c * p.y + at.y};
     }
 }

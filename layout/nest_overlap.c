@@ -96,28 +96,22 @@ static bool holds(const nest_body *body, ktg_vec2 p) {
     return inside;
 }
 
-static bool box_holds(const nest_body *a, const nest_body *b) {
+static bool box_holds(const nest_box *a, const nest_box *b) {
     return a->low.x <= b->low.x && a->low.y <= b->low.y && a->high.x >= b->high.x &&
            a->high.y >= b->high.y;
 }
 
-static bool covers_meet(nest_state *state, const nest_body *a, const nest_body *b) {
-    ktg_vec2 low = {fmax(a->low.x, b->low.x), fmax(a->low.y, b->low.y)};
-    ktg_vec2 high = {fmin(a->high.x, b->high.x), fmin(a->high.y, b->high.y)};
+bool nest_covers_meet(nest_state *state, const nest_body *a, const nest_body *b,
+                      const nest_box *a_box, const nest_box *b_box) {
+    ktg_vec2 low = {fmax(a_box->low.x, b_box->low.x), fmax(a_box->low.y, b_box->low.y)};
+    ktg_vec2 high = {fmin(a_box->high.x, b_box->high.x), fmin(a_box->high.y, b_box->high.y)};
     return boundaries_touch(state, a, b, low, high) ||
-           (box_holds(a, b) && holds(a, b->corners[0])) ||
-           (box_holds(b, a) && holds(b, a->corners[0]));
+           (box_holds(a_box, b_box) && holds(a, b->corners[0])) ||
+           (box_holds(b_box, a_box) && holds(b, a->corners[0]));
 }
 
-double nest_overlap(nest_state *state, const nest_body *a, const nest_body *b) {
-    if (!(a->low.x <= b->high.x && b->low.x <= a->high.x && a->low.y <= b->high.y &&
-          b->low.y <= a->high.y))
-        return 0;
+float nest_loss(const nest_body *a, const nest_body *b, bool *deep) {
     float softness = SOFTNESS * (float)fmax(a->shape->diameter, b->shape->diameter);
-    bool deep;
-    float sum = pole_overlap(a, b, softness, &deep);
-    state->work += a->shape->poles.count * b->shape->poles.count / 4;
-    if (!deep && !covers_meet(state, a, b))
-        return 0;
-    return sqrt((double)(sum + softness * softness) * a->shape->size * b->shape->size);
+    float sum = pole_overlap(a, b, softness, deep) + softness * softness;
+    return sqrtf(sum * (float)(a->shape->size * b->shape->size));
 }

@@ -23,23 +23,50 @@ typedef struct shortlist {
     int count;
 } shortlist;
 
-/* The weighted loss at a pose, or infinity once it reaches `bound`. */
-static double loss_at(nest_state *state, uint32_t item, const nest_pose *pose, double bound) {
+/* What poles tell of the weighted loss at a pose; the pairs they leave in doubt go to
+ * state->doubts. */
+static double loss_by_poles(nest_state *state, uint32_t item, const nest_pose *pose, double bound,
+                            uint32_t *doubt_count) {
     uint32_t n = state->item_count;
     nest_body *trial = &state->bodies[n];
+    nest_box box = state->boxes[n] = nest_box_at(pose);
     const float *weights = &state->weights[(size_t)item * n];
     double loss = 0;
     trial->shape = state->bodies[item].shape;
     nest_body_put(trial, pose);
-    state->work += trial->shape->corner_count + n;
-    for (uint32_t i = 0; i < n; i++) {
-        if (i == item || state->bodies[i].pose.bin != pose->bin)
+    *doubt_count = 0;
+    for (uint32_t i = 0; i < n && loss < bound; i++) {
+        if (i == item || state->bins[i] != pose->bin || !nest_boxes_meet(&box, &state->boxes[i]))
             continue;
-        loss += (double)weights[i] * nest_overlap(state, trial, &state->bodies[i]);
-        if (loss >= bound)
-            return INFINITY;
+        bool deep;
+        float pair = nest_loss(trial, &state->bodies[i], &deep) * weights[i];
+        state->work += 60;
+        if (deep) {
+            loss += (double)pair;
+            continue;
+        }
+        state->depths[*doubt_count] = pair;
+        state->doubts[(*doubt_count)++] = i;
     }
     return loss;
+}
+
+/* The weighted loss at a pose, or infinity once it reaches `bound`. */
+static double loss_at(nest_state *state, uint32_t item, const nest_pose *pose, double bound) {
+    uint32_t n = state->item_count, doubt_count;
+    nest_body *trial = &state->bodies[n];
+    double loss = loss_by_poles(state, item, pose, bound, &doubt_count);
+    state->work += n + 40;
+    if (loss < bound && doubt_count > 0) {
+        nest_body_put_corners(trial);
+        state->work += trial->shape->corner_count;
+    }
+    for (uint32_t k = 0; k < doubt_count && loss < bound; k++) {
+        uint32_t i = state->doubts[k];
+        if (nest_covers_meet(state, trial, &state->bodies[i], &state->boxes[n], &state->boxes[i]))
+            loss += (double)state->depths[k];
+    }
+    return loss < bound ? loss : INFINITY;
 }
 
 static double between(ktg_random *random, double low, double high) {

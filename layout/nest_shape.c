@@ -91,16 +91,25 @@ static void turn_by(double angle, double *c, double *s) {
     *s = cosines[(k + 3) % 4];
 }
 
-nest_turn nest_turn_by(const nest_shape *shape, double angle) {
-    nest_turn turn = {.angle = angle, .low = {INFINITY, INFINITY}, .high = {-INFINITY, -INFINITY}};
-    turn_by(angle, &turn.c, &turn.s);
-    for (uint32_t i = 0; i < shape->hull_count; i++) {
-        ktg_vec2 p = shape->hull[i];
-        double x = turn.c * p.x - turn.s * p.y, y = turn.s * p.x + turn.c * p.y;
-        turn.low.x = x < turn.low.x ? x : turn.low.x;
-        turn.low.y = y < turn.low.y ? y : turn.low.y;
-        turn.high.x = x > turn.high.x ? x : turn.high.x;
-        turn.high.y = y > turn.high.y ? y : turn.high.y;
+static void turned_box(const ktg_vec2 *points, uint32_t count, double c, double s, ktg_vec2 *low,
+                       ktg_vec2 *high) {
+    ktg_vec2 l = {INFINITY, INFINITY}, h = {-INFINITY, -INFINITY};
+    for (uint32_t i = 0; i < count; i++) {
+        double x = c * points[i].x - s * points[i].y, y = s * points[i].x + c * points[i].y;
+        l.x = x < l.x ? x : l.x;
+        l.y = y < l.y ? y : l.y;
+        h.x = x > h.x ? x : h.x;
+        h.y = y > h.y ? y : h.y;
     }
+    *low = l;
+    *high = h;
+}
+
+nest_turn nest_turn_by(const nest_shape *shape, double angle) {
+    nest_turn turn = {.angle = angle};
+    turn_by(angle, &turn.c, &turn.s);
+    turned_box(shape->hull, shape->hull_count, turn.c, turn.s, &turn.low, &turn.high);
+    turned_box(shape->corners, shape->corner_count, turn.c, turn.s, &turn.cover_low,
+               &turn.cover_high);
     return turn;
 }

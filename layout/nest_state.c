@@ -48,8 +48,13 @@ ktg_status nest_state_make(ktg_context *context, const ktg_nest_problem *problem
     state->weights = ktg_new(context, n * n, float);
     state->order = ktg_new(context, n, uint32_t);
     state->window = ktg_new(context, most_corners, uint32_t);
+    state->boxes = ktg_new(context, n + 1, nest_box);
+    state->bins = ktg_new(context, n, uint32_t);
+    state->doubts = ktg_new(context, n, uint32_t);
+    state->depths = ktg_new(context, n, float);
     state->kept = ktg_new(context, n, nest_pose);
-    return state->losses && state->weights && state->order && state->window && state->kept
+    return state->losses && state->weights && state->order && state->window && state->boxes &&
+                   state->bins && state->doubts && state->depths && state->kept
                ? KTG_OK
                : KTG_MEMORY;
 }
@@ -66,6 +71,10 @@ void nest_state_drop(nest_state *state) {
     ktg_free(state->order);
     ktg_free(state->window);
     ktg_free(state->kept);
+    ktg_free(state->boxes);
+    ktg_free(state->bins);
+    ktg_free(state->doubts);
+    ktg_free(state->depths);
 }
 
 static bool clamp(double *at, double low, double high, double room) {
@@ -83,17 +92,29 @@ bool nest_clamp(const nest_state *state, nest_pose *pose) {
            clamp(&pose->at.y, turn->low.y, turn->high.y, state->problem->width);
 }
 
-/* The losses of the pairs of one item. */
+void nest_put(nest_state *state, uint32_t item, const nest_pose *pose) {
+    nest_body_put(&state->bodies[item], pose);
+    nest_body_put_corners(&state->bodies[item]);
+    state->boxes[item] = nest_box_at(pose);
+    state->bins[item] = pose->bin;
+}
+
+static float pair_loss(nest_state *state, uint32_t a, uint32_t b) {
+    if (a == b || state->bins[a] != state->bins[b] ||
+        !nest_boxes_meet(&state->boxes[a], &state->boxes[b]))
+        return 0;
+    bool deep;
+    float loss = nest_loss(&state->bodies[a], &state->bodies[b], &deep);
+    return deep || nest_covers_meet(state, &state->bodies[a], &state->bodies[b], &state->boxes[a],
+                                    &state->boxes[b])
+               ? loss
+               : 0;
+}
+
 static void measure_item(nest_state *state, uint32_t item) {
-    const nest_body *body = &state->bodies[item];
     size_t n = state->item_count;
-    for (uint32_t i = 0; i < n; i++) {
-        const nest_body *other = &state->bodies[i];
-        float loss = 0;
-        if (i != item && other->pose.bin == body->pose.bin)
-            loss = (float)nest_overlap(state, body, other);
-        state->losses[item * n + i] = state->losses[i * n + item] = loss;
-    }
+    for (uint32_t i = 0; i < n; i++)
+        state->losses[item * n + i] = state->losses[i * n + item] = pair_loss(state, item, i);
 }
 
 void nest_save(const nest_state *state, nest_pose *poses) {
@@ -103,11 +124,11 @@ void nest_save(const nest_state *state, nest_pose *poses) {
 
 void nest_load(nest_state *state, const nest_pose *poses) {
     for (uint32_t i = 0; i < state->item_count; i++)
-        nest_body_put(&state->bodies[i], &poses[i]);
+        nest_put(state, i, &poses[i]);
 }
 
 void nest_move(nest_state *state, uint32_t item, const nest_pose *pose) {
-    nest_body_put(&state->bodies[item], pose);
+    nest_put(state, item, pose);
     measure_item(state, item);
 }
 

@@ -34,10 +34,10 @@ typedef struct nest_shape {
     double box_turn; /* where the box is smallest, for shapes that turn freely */
 } nest_shape;
 
-/* A turn of a shape and the box around its outline then. */
+/* A turn of a shape and the boxes around its outline and its cover then. */
 typedef struct nest_turn {
     double angle, c, s;
-    ktg_vec2 low, high;
+    ktg_vec2 low, high, cover_low, cover_high;
 } nest_turn;
 
 /* A place for an item: turn and the position of its frame's origin. */
@@ -47,12 +47,15 @@ typedef struct nest_pose {
     ktg_vec2 at;
 } nest_pose;
 
+typedef struct nest_box {
+    ktg_vec2 low, high;
+} nest_box;
+
 /* A shape as it lies. */
 typedef struct nest_body {
     const nest_shape *shape;
     nest_pose pose;
-    ktg_vec2 low, high; /* box of the cover */
-    ktg_vec2 *corners;  /* corner_count + 1 */
+    ktg_vec2 *corners; /* corner_count + 1 */
     float pole_x[NEST_MOST_POLES], pole_y[NEST_MOST_POLES];
 } nest_body;
 
@@ -62,6 +65,10 @@ typedef struct nest_state {
     nest_shape *shapes;
     uint32_t item_count;
     nest_body *bodies; /* item_count, and one more to try positions with */
+    nest_box *boxes;   /* likewise: of the covers */
+    uint32_t *bins;    /* item_count */
+    uint32_t *doubts;  /* item_count: pairs whose poles do not tell whether they overlap */
+    float *depths;     /* item_count: their losses, if they do */
     uint32_t bin_count;
     double last_length; /* of the last bin */
     float *losses;      /* item_count^2, symmetric: of each pair as it lies */
@@ -89,9 +96,25 @@ nest_turn nest_turn_by(const nest_shape *shape, double angle);
 KTG_NODISCARD ktg_status nest_body_make(ktg_context *context, const nest_shape *shape,
                                         uint32_t most_corners, nest_body *body);
 void nest_body_drop(nest_body *body);
+/* Puts the poles; the corners are put when somebody needs them. */
 void nest_body_put(nest_body *body, const nest_pose *pose);
-/* 0 when the covers are apart; otherwise more, the further they would have to move. */
-double nest_overlap(nest_state *state, const nest_body *a, const nest_body *b);
+void nest_body_put_corners(nest_body *body);
+/* The loss of two covers if they overlap: more, the further they would have to move. *deep: they
+ * do, by their poles. */
+float nest_loss(const nest_body *a, const nest_body *b, bool *deep);
+/* Whether two covers have a point in common; the corners are put. */
+bool nest_covers_meet(nest_state *state, const nest_body *a, const nest_body *b,
+                      const nest_box *a_box, const nest_box *b_box);
+
+static inline nest_box nest_box_at(const nest_pose *pose) {
+    return (nest_box){ktg_add2(pose->at, pose->turn.cover_low),
+                      ktg_add2(pose->at, pose->turn.cover_high)};
+}
+
+static inline bool nest_boxes_meet(const nest_box *a, const nest_box *b) {
+    return a->low.x <= b->high.x && b->low.x <= a->high.x && a->low.y <= b->high.y &&
+           b->low.y <= a->high.y;
+}
 
 /* ---- the state (nest_state.c) ------------------------------------------------------------- */
 
@@ -106,6 +129,7 @@ static inline double nest_bin_length(const nest_state *state, uint32_t bin) {
 bool nest_clamp(const nest_state *state, nest_pose *pose);
 void nest_save(const nest_state *state, nest_pose *poses);
 void nest_load(nest_state *state, const nest_pose *poses); /* leaves the losses alone */
+void nest_put(nest_state *state, uint32_t item, const nest_pose *pose); /* leaves them alone too */
 void nest_move(nest_state *state, uint32_t item, const nest_pose *pose);
 /* All losses anew. */
 void nest_measure(nest_state *state);

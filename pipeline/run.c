@@ -106,13 +106,11 @@ static ktg_status make_pieces(ktg_context *context, const ktg_pipeline_options *
     return ktg_pattern_set_omitted(context, p, options->omit, options->omit_count);
 }
 
-/* With the effort of the unfolding, in what its time limit left (a little, at least). */
+/* In what the search's time limit left, or a little. */
 static ktg_status lay_out(ktg_context *context, const ktg_pipeline_options *options,
                           ktg_pattern *pattern, ktg_pipeline_report *report) {
     ktg_layout_options layout = options->layout;
-    if (options->mode == KTG_PAPER)
-        layout.effort = options->unfold.effort;
-    if (options->mode == KTG_PAPER && options->unfold.seconds > 0)
+    if (options->unfold.seconds > 0)
         layout.seconds = fmax(0.1, options->unfold.seconds - report->seconds_unfold);
     return ktg_layout_place(context, pattern, &layout, &report->layout);
 }
