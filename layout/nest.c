@@ -6,7 +6,7 @@
 #include "core/clock.h"
 #include "core/memory.h"
 
-#include <string.h>
+#include <stdio.h>
 
 #define FIRST_STEP   0.08  /* of the total length */
 #define SMALL_STEP   0.011 /* from here on overlaps are resolved with more patience */
@@ -160,9 +160,19 @@ static double share_done(const search *s) {
     return share;
 }
 
+static void tell(search *s, double share) {
+    char detail[48];
+    double length = s->state.problem->length;
+    uint32_t bins = isinf(length) ? 1 : (uint32_t)ceil(s->length / length - 1e-9);
+    snprintf(detail, sizeof detail, "%u sheet%s", bins, bins == 1 ? "" : "s");
+    ktg_progress(s->state.context, "sheets", fmin(1, share), detail);
+}
+
 /* While there is work for this phase. */
-static bool goes_on(search *s, double share) {
-    return !nest_is_over(&s->state) && share_done(s) < share;
+static bool goes_on(search *s, double until) {
+    double share = share_done(s);
+    tell(s, share);
+    return share < until && !nest_is_over(&s->state);
 }
 
 /* Resolves what shrinking brought about; where steps are small already, from other arrangements

@@ -68,7 +68,7 @@ static void out_of_bin(const ktg_sheet_format *sheet, const ktg_nest_place *plac
 static uint64_t work_for(const ktg_layout_options *options, size_t piece_count) {
     static const struct {
         double each, most;
-    } work[] = {{10e6, 150e6}, {60e6, 1000e6}, {400e6, 6000e6}};
+    } work[] = {{10e6, 150e6}, {40e6, 600e6}, {400e6, 5000e6}};
     return (uint64_t)fmin(work[options->effort].each * (double)piece_count,
                           work[options->effort].most);
 }

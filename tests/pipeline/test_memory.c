@@ -16,7 +16,6 @@ static void starve(bench *b) {
     strcpy(b->report, bench_path(b, "figures.json"));
     b->options.report = b->report;
     b->options.unfold.effort = KTG_EFFORT_QUICK; /* the job is run hundreds of times */
-    b->options.layout.effort = KTG_EFFORT_QUICK;
     for (uint64_t k = 1; status != KTG_OK; k += 1 + k / 24, failures++) {
         ktg_context_fail_allocation(b->context, k);
         status = ktg_pipeline_run(b->context, &b->options, NULL);
