@@ -120,6 +120,15 @@ static ktg_status make_pieces(ktg_context *context, const ktg_pipeline_options *
     return ktg_pattern_set_omitted(context, p, options->omit, options->omit_count);
 }
 
+/* In what the search's time limit left, or a little. */
+static ktg_status lay_out(ktg_context *context, const ktg_pipeline_options *options,
+                          ktg_pattern *pattern, ktg_pipeline_report *report) {
+    ktg_layout_options layout = options->layout;
+    if (options->unfold.seconds > 0)
+        layout.seconds = fmax(0.1, options->unfold.seconds - report->seconds_unfold);
+    return ktg_layout_place(context, pattern, &layout, &report->layout);
+}
+
 static ktg_status put_on_sheets(ktg_context *context, const ktg_pipeline_options *options,
                                 ktg_pattern *pattern, ktg_pipeline_report *report) {
     double mm_per_unit = 0;
@@ -128,7 +137,7 @@ static ktg_status put_on_sheets(ktg_context *context, const ktg_pipeline_options
     KTG_TRY(ktg_check_cancel(context));
     KTG_TRY(ktg_pattern_scale(context, pattern, mm_per_unit));
     KTG_TRY(ktg_pattern_finish(context, pattern, &options->finish, &report->finish));
-    KTG_TRY(ktg_layout_place(context, pattern, &options->layout, &report->layout));
+    KTG_TRY(lay_out(context, options, pattern, report));
     report->faces = pattern->face_count;
     report->pieces = (uint32_t)pattern->piece_count;
     report->components = (uint32_t)pattern->component_count;
