@@ -16,6 +16,8 @@
 #define COMPRESS     0.0005  /* first step of the compression, */
 #define COMPRESS_END 0.00001 /* and the last */
 
+#define RANDOM_TRIES 64 /* to find a place for what has lost its own */
+
 typedef struct search {
     nest_state state;
     nest_pose *best;   /* item_count: proven */
@@ -28,6 +30,7 @@ typedef struct search {
 
 static nest_pose pose_of(const nest_shape *shape, const ktg_nest_place *place) {
     nest_turn turn = nest_turn_by(shape, place->turn);
+    nest_turn_cover(shape, &turn);
     ktg_vec2 m = shape->middle;
     return (nest_pose){
         place->bin,
@@ -106,7 +109,7 @@ static bool shrink(search *s, double total) {
         if (pose.bin + 1 == state->bin_count && pose.at.x > cut)
             pose.at.x -= before - total;
         if ((pose.bin >= state->bin_count || !nest_clamp(state, &pose)) &&
-            !nest_random_pose(state, state->bodies[i].shape, &pose))
+            !nest_random_pose(state, state->bodies[i].shape, RANDOM_TRIES, &pose))
             return false;
         nest_put(state, i, &pose);
     }

@@ -10,7 +10,7 @@
 #define LAST_STEP    0.001
 #define STEP_GROWTH  1.1
 #define STEP_SHRINK  0.5
-#define RANDOM_TRIES 64
+#define SAMPLE_TRIES 3 /* at other turns, where one does not fit */
 
 typedef struct candidate {
     nest_pose pose;
@@ -101,13 +101,15 @@ static bool random_position(nest_state *state, nest_pose *pose) {
     return nest_clamp(state, pose);
 }
 
-bool nest_random_pose(nest_state *state, const nest_shape *shape, nest_pose *pose) {
-    for (int k = 0; k < RANDOM_TRIES; k++) {
-        state->work += 1 + shape->hull_count;
+bool nest_random_pose(nest_state *state, const nest_shape *shape, int tries, nest_pose *pose) {
+    for (int k = 0; k < tries; k++) {
         pose->bin = random_bin(state);
         pose->turn = nest_turn_by(shape, random_angle(state, shape));
-        if (random_position(state, pose))
+        state->work += 20 + shape->hull_count;
+        if (random_position(state, pose)) {
+            nest_turn_cover(shape, &pose->turn);
             return true;
+        }
     }
     return false;
 }
@@ -124,7 +126,11 @@ static bool near_pose(nest_state *state, const nest_body *body, nest_pose *pose)
         pose->turn = nest_turn_by(shape, random_angle(state, shape));
     pose->at.x += between(random, -reach, reach);
     pose->at.y += between(random, -reach, reach);
-    return nest_clamp(state, pose);
+    state->work += 20 + shape->hull_count;
+    if (!nest_clamp(state, pose))
+        return false;
+    nest_turn_cover(shape, &pose->turn);
+    return true;
 }
 
 static bool is_near(const candidate *a, const candidate *b, double reach) {
@@ -160,7 +166,7 @@ static void sample(nest_state *state, uint32_t item, shortlist *list) {
     const nest_body *body = &state->bodies[item];
     for (int k = 0; k < WIDE_SAMPLES + NEAR_SAMPLES && list->items[0].loss > 0; k++) {
         candidate c;
-        if (!(k < WIDE_SAMPLES ? nest_random_pose(state, body->shape, &c.pose)
+        if (!(k < WIDE_SAMPLES ? nest_random_pose(state, body->shape, SAMPLE_TRIES, &c.pose)
                                : near_pose(state, body, &c.pose)))
             continue;
         c.loss = loss_at(state, item, &c.pose, bound_of(list));
@@ -190,6 +196,8 @@ static bool step_from(nest_state *state, uint32_t item, const candidate *from, c
             nest_turn_by(shape, to->pose.turn.angle + sign * 2 * step->turn / shape->diameter);
     if (!nest_clamp(state, &to->pose))
         return false;
+    if (way->turn != 0)
+        nest_turn_cover(shape, &to->pose.turn);
     to->loss = loss_at(state, item, &to->pose, bound);
     return to->loss < bound;
 }

@@ -109,7 +109,10 @@ nest_turn nest_turn_by(const nest_shape *shape, double angle) {
     nest_turn turn = {.angle = angle};
     turn_by(angle, &turn.c, &turn.s);
     turned_box(shape->hull, shape->hull_count, turn.c, turn.s, &turn.low, &turn.high);
-    turned_box(shape->corners, shape->corner_count, turn.c, turn.s, &turn.cover_low,
-               &turn.cover_high);
     return turn;
+}
+
+void nest_turn_cover(const nest_shape *shape, nest_turn *turn) {
+    turned_box(shape->corners, shape->corner_count, turn->c, turn->s, &turn->cover_low,
+               &turn->cover_high);
 }

@@ -89,7 +89,9 @@ KTG_NODISCARD ktg_status nest_shape_make(ktg_context *context, const ktg_nest_sh
 void nest_shape_drop(nest_shape *shape);
 KTG_NODISCARD ktg_status nest_poles_find(ktg_context *context, const nest_shape *shape,
                                          nest_poles *poles);
+/* The turn with the box around the outline; that around the cover is for turns that fit. */
 nest_turn nest_turn_by(const nest_shape *shape, double angle);
+void nest_turn_cover(const nest_shape *shape, nest_turn *turn);
 
 /* ---- bodies and overlaps (nest_body.c, nest_overlap.c) ------------------------------------ */
 
@@ -146,6 +148,6 @@ void nest_improve(nest_state *state, uint32_t item);
 KTG_NODISCARD ktg_status nest_separate(nest_state *state, uint32_t strikes, uint32_t patience,
                                        bool *done);
 /* A random pose in the bins; false when none was found that fits. */
-bool nest_random_pose(nest_state *state, const nest_shape *shape, nest_pose *pose);
+bool nest_random_pose(nest_state *state, const nest_shape *shape, int tries, nest_pose *pose);
 
 #endif
