@@ -17,7 +17,8 @@ typedef struct ktg_layout_options {
     bool keep_grain;   /* only turns of 0 and 180 degrees (cloth); false */
     ktg_effort effort; /* normal: work spent on nesting several pieces; at most about 1, 5 and 30
                           seconds, less for few pieces */
-    double seconds;    /* an upper bound on the nesting's time; 0: none */
+    uint32_t enough_sheets; /* nesting stops once so few are reached; 0: it goes on */
+    double seconds;         /* an upper bound on the nesting's time; 0: none */
 } ktg_layout_options;
 
 KTG_API void ktg_layout_defaults(ktg_layout_options *options);

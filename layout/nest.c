@@ -175,7 +175,7 @@ static void tell(search *s, double share) {
 static bool goes_on(search *s, double until) {
     double share = share_done(s);
     tell(s, share);
-    return share < until && !nest_is_over(&s->state);
+    return share < until && s->length > s->state.problem->enough && !nest_is_over(&s->state);
 }
 
 /* Resolves what shrinking brought about; where steps are small already, from other arrangements

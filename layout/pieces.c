@@ -88,10 +88,16 @@ ktg_status ktg_layout_nest(ktg_context *context, const ktg_pattern *pattern,
     ktg_nest_report done = {0};
     ktg_status status = make(context, pattern, options, &n);
     if (status == KTG_OK) {
-        ktg_nest_problem problem = {
-            n.shapes,        count,  n.items,         count,
-            room.x,          room.y, options->gap_mm, work_for(options, count),
-            options->seconds};
+        ktg_nest_problem problem = {.shapes = n.shapes,
+                                    .shape_count = count,
+                                    .items = n.items,
+                                    .item_count = count,
+                                    .width = room.x,
+                                    .length = room.y,
+                                    .gap = options->gap_mm,
+                                    .enough = options->enough_sheets * room.y * (1 + 1e-9),
+                                    .work = work_for(options, count),
+                                    .seconds = options->seconds};
         for (size_t i = 0; i < count; i++)
             n.places[i] = into_bin(sheet, &laid[i]);
         status = ktg_nest(context, &problem, n.places, &done);
