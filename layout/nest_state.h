@@ -144,7 +144,8 @@ bool nest_is_over(nest_state *state);
 
 /* Looks for a place with less weighted overlap and moves the item there (nest_search.c). */
 void nest_improve(nest_state *state, uint32_t item);
-/* Tries to resolve all overlaps; true when it did (nest_separate.c). */
+/* Tries to resolve all overlaps: rounds until `patience` of them in a row brought no progress, and
+ * again from the best until `strikes` times in a row did not; *done: it did (nest_separate.c). */
 KTG_NODISCARD ktg_status nest_separate(nest_state *state, uint32_t strikes, uint32_t patience,
                                        bool *done);
 /* A random pose in the bins; false when none was found that fits. */
