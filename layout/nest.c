@@ -38,8 +38,8 @@ typedef struct search {
 /* ---- from places to poses and back -------------------------------------------------------- */
 
 static nest_pose pose_of(const nest_shape *shape, const ktg_nest_place *place) {
-    nest_turn turn = nest_turn_by(shape, place->turn);
-    nest_turn_cover(shape, &turn);
+    nest_turn turn = ktg_nest_turn_by(shape, place->turn);
+    ktg_nest_turn_cover(shape, &turn);
     ktg_vec2 m = shape->middle;
     return (nest_pose){
         place->bin,
@@ -117,7 +117,7 @@ static double loss_of_length(const search *s, double total) {
  * loses, and what has no bin any more goes anywhere. False when something fits nowhere. */
 static bool shrink(search *s, double total) {
     nest_state *state = &s->state;
-    nest_load(state, s->best);
+    ktg_nest_load(state, s->best);
     set_length(state, total);
     double less = loss_of_length(s, total);
     double cut = ktg_random_unit(&state->random) * state->last_length;
@@ -126,13 +126,13 @@ static bool shrink(search *s, double total) {
         nest_pose pose = state->bodies[i].pose;
         if (pose.bin + 1 == state->bin_count && pose.at.x > cut)
             pose.at.x -= less;
-        if ((pose.bin >= state->bin_count || !nest_clamp(state, &pose)) &&
-            !nest_random_pose(state, state->bodies[i].shape, RANDOM_TRIES, &pose))
+        if ((pose.bin >= state->bin_count || !ktg_nest_clamp(state, &pose)) &&
+            !ktg_nest_random_pose(state, state->bodies[i].shape, RANDOM_TRIES, &pose))
             return false;
-        nest_put(state, i, &pose);
+        ktg_nest_put(state, i, &pose);
     }
-    nest_forget_weights(state);
-    nest_measure(state);
+    ktg_nest_forget_weights(state);
+    ktg_nest_measure(state);
     return true;
 }
 
@@ -140,7 +140,7 @@ static bool shrink(search *s, double total) {
 static bool take(search *s) {
     if (!is_proven(s))
         return false;
-    nest_save(&s->state, s->best);
+    ktg_nest_save(&s->state, s->best);
     s->length = total_length(&s->state, s->best);
     s->records++;
     return true;
@@ -169,12 +169,12 @@ static void disturb(nest_state *state) {
     uint32_t a = large_item(state, NULL), b = large_item(state, state->bodies[a].shape);
     nest_pose at_a = state->bodies[a].pose, at_b = state->bodies[b].pose;
     nest_pose a_to_b = {at_b.bin, at_a.turn, at_b.at}, b_to_a = {at_a.bin, at_b.turn, at_a.at};
-    if (nest_clamp(state, &a_to_b))
-        nest_put(state, a, &a_to_b);
-    if (nest_clamp(state, &b_to_a))
-        nest_put(state, b, &b_to_a);
-    nest_forget_weights(state);
-    nest_measure(state);
+    if (ktg_nest_clamp(state, &a_to_b))
+        ktg_nest_put(state, a, &a_to_b);
+    if (ktg_nest_clamp(state, &b_to_a))
+        ktg_nest_put(state, b, &b_to_a);
+    ktg_nest_forget_weights(state);
+    ktg_nest_measure(state);
 }
 
 static double share_done(const search *s) {
@@ -197,18 +197,18 @@ static void tell(search *s, double share) {
 static bool goes_on(search *s, double until) {
     double share = share_done(s);
     tell(s, share);
-    return share < until && s->length > s->state.problem->enough && !nest_is_over(&s->state);
+    return share < until && s->length > s->state.problem->enough && !ktg_nest_is_over(&s->state);
 }
 
 /* Resolves what shrinking brought about; where steps are small already, from other arrangements
  * too. */
 static ktg_status resolve(search *s, double step, bool *done) {
     bool large = step > SMALL_STEP;
-    KTG_TRY(nest_separate(&s->state, large ? LARGE_STRIKES : SMALL_STRIKES,
-                          large ? LARGE_PATIENCE : SMALL_PATIENCE, done));
+    KTG_TRY(ktg_nest_separate(&s->state, large ? LARGE_STRIKES : SMALL_STRIKES,
+                              large ? LARGE_PATIENCE : SMALL_PATIENCE, done));
     while (!*done && step <= LEAST_STEP && goes_on(s, EXPLORE)) {
         disturb(&s->state);
-        KTG_TRY(nest_separate(&s->state, SMALL_STRIKES, SMALL_PATIENCE, done));
+        KTG_TRY(ktg_nest_separate(&s->state, SMALL_STRIKES, SMALL_PATIENCE, done));
     }
     return KTG_OK;
 }
@@ -230,7 +230,7 @@ static ktg_status compress(search *s) {
         double left = fmax(0, 1 - share_done(s)) / (1 - EXPLORE);
         double step = COMPRESS_END + (COMPRESS - COMPRESS_END) * fmin(1, left);
         if (shrink(s, s->length * (1 - step)))
-            KTG_TRY(nest_separate(&s->state, COMPRESS_STRIKES, SMALL_PATIENCE, &done));
+            KTG_TRY(ktg_nest_separate(&s->state, COMPRESS_STRIKES, SMALL_PATIENCE, &done));
         if (done)
             (void)take(s);
     }
@@ -240,7 +240,7 @@ static ktg_status compress(search *s) {
 /* ---- the whole ---------------------------------------------------------------------------- */
 
 static ktg_status make(ktg_context *context, const ktg_nest_problem *problem, search *s) {
-    KTG_TRY(nest_state_make(context, problem, &s->state));
+    KTG_TRY(ktg_nest_state_make(context, problem, &s->state));
     size_t n = problem->item_count;
     s->best = ktg_new(context, n, nest_pose);
     s->placed = ktg_new(context, n, ktg_vec2 *);
@@ -255,7 +255,7 @@ static ktg_status make(ktg_context *context, const ktg_nest_problem *problem, se
 }
 
 static void drop(search *s, size_t item_count) {
-    nest_state_drop(&s->state);
+    ktg_nest_state_drop(&s->state);
     for (size_t i = 0; s->placed && i < item_count; i++)
         ktg_free(s->placed[i]);
     ktg_free(s->placed);
