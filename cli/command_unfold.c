@@ -49,9 +49,9 @@ static void tell_result(void *user, const ktg_pipeline_report *r) {
         fputs("interrupted: this is the best pattern so far\n", stderr);
     if (r->unfold.stopped_by == KTG_STOPPED_TIME)
         fputs("the time is over: this is the best pattern so far\n", stderr);
-    fprintf(stderr, "%u faces in %u piece%s on %u sheet%s of %s, %.0f %% filled\n", r->faces,
-            r->pieces, plural(r->pieces), r->layout.sheets, plural(r->layout.sheets),
-            s->pipeline.layout.sheet.name, 100 * r->layout.fill);
+    fprintf(stderr, "%u face%s in %u piece%s on %u sheet%s of %s, %.0f %% filled\n", r->faces,
+            plural(r->faces), r->pieces, plural(r->pieces), r->layout.sheets,
+            plural(r->layout.sheets), s->pipeline.layout.sheet.name, 100 * r->layout.fill);
     fprintf(stderr,
             "finished size %.0f x %.0f x %.0f mm (width x height x length), %.4g mm per unit\n",
             r->size_mm.x, r->size_mm.y, r->size_mm.z, r->mm_per_unit);

@@ -351,7 +351,7 @@ static const option_line lines[] = {
     {"scale", 0, "FACTOR", PAPER, set_scale, "millimetres per unit of the model"},
     {"unit", 0, "mm|cm|m|in", CMD_FLATTEN, set_unit, "the unit of the model file"},
     {"up", 0, "x|y|z", PAPER, set_up, "which axis is height (STL: z, others: y)"},
-    {"paper", 'p', "FORMAT", PAPER, set_paper, "a4 ... a0, letter, legal, tabloid, WxH (a4)"},
+    {"paper", 'p', "FORMAT", PAPER, set_paper, "a0 ... a6, letter, legal, tabloid, WxH and more (a4)"},
     {"landscape", 0, NULL, PAPER, set_landscape, "turn the sheet"},
     {"margin", 0, "LENGTH", PAPER, set_margin, "left free on every side of a sheet (10mm)"},
     {"gap", 0, "LENGTH", PAPER, set_gap, "between pieces (2mm)"},

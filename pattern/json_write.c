@@ -362,6 +362,17 @@ static void write_seams(writer *w, const ktg_pattern *p) {
     put(w, "],\n");
 }
 
+/* Where a tile is in its poster, all counted from 1. */
+static void write_tile(writer *w, const ktg_pattern_sheet *sheet) {
+    put(w, ",\"tile\":{\"poster\":");
+    count(w, sheet->poster);
+    put(w, ",\"row\":");
+    count(w, (size_t)sheet->row + 1);
+    put(w, ",\"column\":");
+    count(w, (size_t)sheet->column + 1);
+    put(w, "}");
+}
+
 static void write_sheet(writer *w, const ktg_pattern_sheet *sheet, size_t id) {
     put(w, "{\"id\":");
     count(w, id);
@@ -375,7 +386,10 @@ static void write_sheet(writer *w, const ktg_pattern_sheet *sheet, size_t id) {
         put(w, k ? "," : ",\"printable\":[");
         number(w, sheet->printable[k]);
     }
-    put(w, "],\"placements\":[");
+    put(w, "]");
+    if (sheet->poster > 0)
+        write_tile(w, sheet);
+    put(w, ",\"placements\":[");
     for (size_t i = 0; i < sheet->placement_count; i++) {
         const ktg_pattern_placement *placement = &sheet->placements[i];
         put(w, i ? ",{\"piece\":" : "{\"piece\":");

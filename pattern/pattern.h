@@ -154,6 +154,8 @@ typedef struct ktg_pattern_sheet {
     double printable[4]; /* x0, y0, x1, y1 */
     size_t placement_count;
     ktg_pattern_placement *placements;
+    uint32_t poster; /* KTG_TILE: of which poster, from 1; 0: told of none, and for other kinds */
+    uint32_t row, column; /* of a poster's tile: where in it, row 0 at the top, column 0 at the left */
 } ktg_pattern_sheet;
 
 /* ---- the pattern -------------------------------------------------------------------------- */
@@ -202,8 +204,9 @@ KTG_API KTG_NODISCARD ktg_status ktg_pattern_set_omitted(ktg_context *context, k
 KTG_API KTG_NODISCARD ktg_status ktg_pattern_scale(ktg_context *context, ktg_pattern *pattern,
                                                    double factor);
 
-/* "a4", "A3", "letter", "legal", "tabloid", "210x297" (mm) or "8.5x11in"; the margin is left as it
- * is in *format. KTG_ARGUMENT names what is known. */
+/* "a0" to "a6", "a3+", "b3" to "b5", "jis-b3" to "jis-b5", "letter", "legal", "tabloid", "ledger",
+ * "statement", "ansi-c" to "ansi-e", "210x297" (mm) or "8.5x11in"; the margin is left as it is in
+ * *format. KTG_ARGUMENT names what is known. */
 KTG_API KTG_NODISCARD ktg_status ktg_sheet_parse(ktg_context *context, const char *text,
                                                  ktg_sheet_format *format);
 /* A4 with margins of 10 mm. */

@@ -38,6 +38,13 @@ static void sheets_go_by_name_or_measure(void **state) {
     assert_sheet(*state, "LETTER", "Letter", 215.9, 279.4);
     assert_sheet(*state, "legal", "Legal", 215.9, 355.6);
     assert_sheet(*state, "Tabloid", "Tabloid", 279.4, 431.8);
+    assert_sheet(*state, "a5", "A5", 148, 210);
+    assert_sheet(*state, "a6", "A6", 105, 148);
+    assert_sheet(*state, "A3+", "A3+", 329, 483);
+    assert_sheet(*state, "b5", "B5", 176, 250);
+    assert_sheet(*state, "jis-b4", "JIS-B4", 257, 364);
+    assert_sheet(*state, "ledger", "Ledger", 279.4, 431.8);
+    assert_sheet(*state, "ansi-d", "ANSI-D", 558.8, 863.6);
     assert_sheet(*state, "300x200", "300x200", 300, 200);
     assert_sheet(*state, "8.5x11in", "215.9x279.4", 215.9, 279.4);
     assert_sheet(*state, "21 x 29.7 cm", "210x297", 210, 297);
