@@ -87,6 +87,8 @@ static exit_code run_pattern(int argc, char **argv, int command, const char *usa
     s.pipeline.mode = command == CMD_FLATTEN ? KTG_CLOTH : KTG_PAPER;
     if (command == CMD_FLATTEN && !s.faces_given)
         s.pipeline.faces = KTG_ALL_FACES;
+    if (command == CMD_FLATTEN && !s.oversize_given)
+        s.pipeline.large = KTG_LARGE_TILE;
     s.pipeline.layout.keep_grain = command == CMD_FLATTEN;
     s.pipeline.model = s.arguments[0];
     s.pipeline.outputs = s.outputs;

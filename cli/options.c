@@ -259,10 +259,20 @@ static bool set_effort(settings *s, const char *text) {
 }
 
 static bool set_oversize(settings *s, const char *text) {
-    static const char *const ways[] = {"split", "error", NULL};
+    static const char *const ways[] = {"split", "tile", "scale", "error", NULL};
     int way = word_index(text, ways);
-    s->pipeline.unfold.oversize = way == 1 ? KTG_OVERSIZE_ERROR : KTG_OVERSIZE_SPLIT;
+    s->oversize_given = true;
+    s->pipeline.large = way >= 0 ? (ktg_large)way : KTG_LARGE_SPLIT;
     return way >= 0;
+}
+
+/* Cloth is cut along its seams only. */
+static bool set_oversize_flatten(settings *s, const char *text) {
+    return strcmp(text, "split") != 0 && set_oversize(s, text);
+}
+
+static bool set_overlap(settings *s, const char *text) {
+    return cli_parse_length(text, &s->pipeline.overlap_mm);
 }
 
 static bool set_pieces(settings *s, const char *text) {
@@ -351,12 +361,16 @@ static const option_line lines[] = {
     {"scale", 0, "FACTOR", PAPER, set_scale, "millimetres per unit of the model"},
     {"unit", 0, "mm|cm|m|in", CMD_FLATTEN, set_unit, "the unit of the model file"},
     {"up", 0, "x|y|z", PAPER, set_up, "which axis is height (STL: z, others: y)"},
-    {"paper", 'p', "FORMAT", PAPER, set_paper, "a0 ... a6, letter, legal, tabloid, WxH and more (a4)"},
+    {"paper", 'p', "FORMAT", PAPER, set_paper,
+     "a0 ... a6, letter, legal, tabloid, WxH and more (a4)"},
     {"landscape", 0, NULL, PAPER, set_landscape, "turn the sheet"},
     {"margin", 0, "LENGTH", PAPER, set_margin, "left free on every side of a sheet (10mm)"},
     {"gap", 0, "LENGTH", PAPER, set_gap, "between pieces (2mm)"},
-    {"oversize", 0, "split|error", CMD_UNFOLD, set_oversize,
-     "with a size: pieces that fit the sheet, or fail where one piece does not (split)"},
+    {"oversize", 0, "split|tile|scale|error", CMD_UNFOLD, set_oversize,
+     "what is larger than a sheet: divide it, spread it over sheets, shrink all, fail (split)"},
+    {"oversize", 0, "tile|scale|error", CMD_FLATTEN, set_oversize_flatten,
+     "what is larger than a sheet: spread it over sheets, shrink it, or fail (tile)"},
+    {"overlap", 0, "LENGTH", PAPER, set_overlap, "of the sheets of a poster (10mm)"},
     {"pieces", 0, "N", CMD_UNFOLD, set_pieces,
      "divide every part of the model into N pieces; with a size, more where they do not fit"},
     {"max-faces-per-piece", 0, "N", CMD_UNFOLD, set_piece_faces, "no piece has more faces"},

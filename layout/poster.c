@@ -95,7 +95,8 @@ static void lay_at(const ktg_pattern_piece *piece, ktg_vec2 at, ktg_vec2 *work, 
  * are empty; in the middle where that is as good. */
 static ktg_status lay_turned(ktg_context *context, const ktg_pattern_piece *piece, double rotation,
                              ktg_vec2 *work, ktg_poster *p) {
-    static const double parts[] = {0.5, 0, 1};
+    static const double parts[] = {0.5, 0, 0.25, 0.75, 1};
+    enum { PARTS = sizeof parts / sizeof *parts };
     ktg_turn turn = ktg_turn_points(piece->outline, piece->outline_count, rotation);
     p->turn = turn;
     p->columns = tiles_along(turn.size.x, p->room.x, p->step.x);
@@ -106,8 +107,9 @@ static ktg_status lay_turned(ktg_context *context, const ktg_pattern_piece *piec
                       (p->rows - 1) * p->step.y + p->room.y - turn.size.y};
     ktg_vec2 best = {0, 0};
     uint32_t fewest = UINT32_MAX;
-    for (int k = 0; k < 9; k++) {
-        ktg_vec2 at = {parts[k / 3] * slack.x - turn.low.x, parts[k % 3] * slack.y - turn.low.y};
+    for (int k = 0; k < PARTS * PARTS; k++) {
+        ktg_vec2 at = {parts[k / PARTS] * slack.x - turn.low.x,
+                       parts[k % PARTS] * slack.y - turn.low.y};
         lay_at(piece, at, work, p);
         if (p->tiles < fewest) {
             fewest = p->tiles;

@@ -155,7 +155,8 @@ typedef struct ktg_pattern_sheet {
     size_t placement_count;
     ktg_pattern_placement *placements;
     uint32_t poster; /* KTG_TILE: of which poster, from 1; 0: told of none, and for other kinds */
-    uint32_t row, column; /* of a poster's tile: where in it, row 0 at the top, column 0 at the left */
+    uint32_t row,
+        column; /* of a poster's tile: where in it, row 0 at the top, column 0 at the left */
 } ktg_pattern_sheet;
 
 /* ---- the pattern -------------------------------------------------------------------------- */

@@ -34,6 +34,14 @@ typedef enum ktg_size_rule {
     KTG_SIZE_FACTOR  /* size_mm millimetres per unit of the model file */
 } ktg_size_rule;
 
+/* What is done when something is larger than a sheet at the size that is asked for. */
+typedef enum ktg_large {
+    KTG_LARGE_SPLIT, /* paper: the fewest pieces such that each fits (cloth: like error) */
+    KTG_LARGE_TILE,  /* larger pieces become posters: they are spread over sheets that overlap */
+    KTG_LARGE_SCALE, /* the size shrinks until every piece fits a sheet */
+    KTG_LARGE_ERROR  /* the run fails and says which size would fit */
+} ktg_large;
+
 typedef enum ktg_axis { KTG_AXIS_AUTO, KTG_AXIS_X, KTG_AXIS_Y, KTG_AXIS_Z } ktg_axis;
 
 /* The number of faces that stands for "as many as there are". */
@@ -54,9 +62,11 @@ typedef struct ktg_pipeline_options {
 
     ktg_size_rule size_rule;
     double size_mm;
-    ktg_axis up; /* auto: z for STL, y otherwise */
+    ktg_axis up;       /* auto: z for STL, y otherwise */
+    ktg_large large;   /* split; cloth wants tile */
+    double overlap_mm; /* of the sheets of a poster; 10 */
 
-    ktg_unfold_options unfold; /* its sheet, finish, scale and rules are set by the run */
+    ktg_unfold_options unfold; /* its sheet, finish, scale, oversize and rules are set by the run */
     ktg_flatten_options flatten;
     ktg_finish_options finish;
     ktg_layout_options layout;

@@ -1,5 +1,6 @@
 /* pipeline/size.c - how large the finished model becomes. */
 #include "pipeline/size.h"
+#include "core/memory.h"
 #include "core/vec.h"
 
 #include <string.h>
@@ -81,5 +82,8 @@ ktg_status ktg_size_scale(ktg_context *context, const ktg_pipeline_options *opti
     if (options->size_rule == KTG_SIZE_FIT)
         return ktg_pattern_fit(context, pattern, &options->layout.sheet, options->layout.gap_mm,
                                &options->finish, mm_per_unit);
-    return asked_scale(context, options, pattern->vertices, pattern->vertex_count, mm_per_unit);
+    KTG_TRY(asked_scale(context, options, pattern->vertices, pattern->vertex_count, mm_per_unit));
+    return options->large == KTG_LARGE_SCALE
+               ? ktg_size_shrink(context, options, pattern, mm_per_unit)
+               : KTG_OK;
 }

@@ -32,6 +32,8 @@ typedef enum ktg_stroke {
     KTG_STROKE_DART,
     KTG_STROKE_NOTCH,
     KTG_STROKE_INTERNAL,
+    KTG_STROKE_TRIM, /* of a poster's sheet: cut here ... */
+    KTG_STROKE_JOIN, /* ... and lay the neighbour up to here */
     KTG_STROKE_COUNT
 } ktg_stroke;
 
@@ -197,6 +199,55 @@ size_t ktg_legend_draw(const ktg_drawing *drawing, cairo_t *cairo, double x, dou
 void ktg_ruler_draw(cairo_t *cairo, double x, double y, bool whole, bool upright);
 /* How much room it takes along its line. */
 double ktg_ruler_length(bool whole);
+
+/* ---- column.c ----------------------------------------------------------------------------- */
+
+/* The state of a page that is written from top to bottom. */
+typedef struct ktg_column {
+    const ktg_drawing *drawing;
+    cairo_t *cairo;
+    double x, y, width; /* y moves down as lines are written */
+    double floor;       /* where the page ends */
+    double scale;       /* 1, less on small paper */
+} ktg_column;
+
+ktg_column ktg_column_begin(const ktg_drawing *drawing, cairo_t *cairo, double width_mm,
+                            double height_mm);
+void ktg_column_write(ktg_column *at, ktg_face face, double digit_mm, double indent,
+                      const char *text);
+void ktg_column_skip(ktg_column *at, double mm);
+
+/* ---- tile.c, map.c, cover.c, names.c ------------------------------------------------------ */
+
+#define KTG_NAME_SIZE 128
+
+/* What a piece is called: "body", or "body 2 of 3" where its part of the model has several. */
+void ktg_drawing_piece_name(const ktg_drawing *drawing, uint32_t piece, char name[KTG_NAME_SIZE]);
+
+/* True when the sheet is part of a poster whose other sheets are known. */
+bool ktg_is_tile(const ktg_pattern_sheet *sheet);
+/* How many posters there are. */
+uint32_t ktg_poster_count(const ktg_pattern *pattern);
+/* "B3": row B, column 3; "2-B3" of the second of several posters. */
+void ktg_tile_name(const ktg_drawing *drawing, const ktg_pattern_sheet *sheet,
+                   char name[KTG_NAME_SIZE]);
+/* The tile `down` rows below and `right` columns to the right of this one, or NULL. */
+const ktg_pattern_sheet *ktg_tile_neighbour(const ktg_drawing *drawing,
+                                            const ktg_pattern_sheet *sheet, int down, int right);
+
+/* What lies under a tile's drawing, its name; and what lies over it: where neighbours join. */
+void ktg_tile_draw_ground(const ktg_page *page);
+void ktg_tile_draw_joins(const ktg_page *page);
+
+/* The extent of a poster, and its map in `area` at `scale` (millimetres of paper for one of the
+ * poster): the tiles with their names, and the piece. */
+ktg_vec2 ktg_map_size(const ktg_drawing *drawing, uint32_t poster);
+void ktg_map_draw(const ktg_drawing *drawing, cairo_t *cairo, uint32_t poster, ktg_vec2 corner,
+                  double scale);
+
+/* How many pages with the maps of posters come first in a PDF, and one of them (from 0). */
+size_t ktg_cover_count(const ktg_drawing *drawing);
+void ktg_cover_draw(const ktg_drawing *drawing, cairo_t *cairo, size_t number);
 
 /* A page of its own that tells how to read the pattern. */
 void ktg_guide_draw(const ktg_drawing *drawing, cairo_t *cairo, double width_mm, double height_mm);

@@ -28,7 +28,12 @@ size_t ktg_furniture_details(const ktg_drawing *drawing, size_t sheet,
                              char details[KTG_DETAIL_COUNT][KTG_DETAIL_SIZE]) {
     const ktg_pattern *pattern = drawing->pattern;
     size_t count = 0, sheets = pattern->sheet_count;
-    if (sheet != SIZE_MAX)
+    char tile[KTG_NAME_SIZE];
+    if (sheet != SIZE_MAX && ktg_is_tile(&pattern->sheets[sheet])) {
+        ktg_tile_name(drawing, &pattern->sheets[sheet], tile);
+        snprintf(details[count++], KTG_DETAIL_SIZE, "%.40s, sheet %zu of %zu", tile, sheet + 1,
+                 sheets);
+    } else if (sheet != SIZE_MAX)
         snprintf(details[count++], KTG_DETAIL_SIZE, "sheet %zu of %zu", sheet + 1, sheets);
     else
         snprintf(details[count++], KTG_DETAIL_SIZE, "%zu sheet%s", sheets, sheets == 1 ? "" : "s");

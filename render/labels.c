@@ -40,7 +40,8 @@ static bool begin_label(const ktg_page *page, const ktg_pattern_placement *place
     double width = ktg_text_width(page->cairo, placed->text);
     if (label->edge == KTG_NONE) {
         angle += upside_down(angle) ? KTG_PI : 0;
-        at = within_printable(page, at, angle, width, label->height_mm);
+        if (page->sheet->kind != KTG_TILE)
+            at = within_printable(page, at, angle, width, label->height_mm);
     }
     cairo_translate(page->cairo, at.x, at.y);
     cairo_rotate(page->cairo, -angle);

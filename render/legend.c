@@ -21,6 +21,8 @@ const char *ktg_legend_word(ktg_stroke stroke, bool brief) {
         [KTG_STROKE_DART] = {"dart", "dart"},
         [KTG_STROKE_NOTCH] = {"notch", "notch"},
         [KTG_STROKE_INTERNAL] = {"inner line", "inner"},
+        [KTG_STROKE_TRIM] = {"trim", "trim"},
+        [KTG_STROKE_JOIN] = {"join", "join"},
     };
     return words[stroke][brief];
 }

@@ -65,6 +65,9 @@ static unsigned find_kinds(const ktg_drawing *drawing) {
         for (size_t k = 0; k < piece->line_count; k++)
             kinds |= 1u << ktg_stroke_of_line(piece->lines[k].kind);
     }
+    for (size_t s = 0; s < pattern->sheet_count; s++)
+        if (ktg_is_tile(&pattern->sheets[s]))
+            kinds |= 1u << KTG_STROKE_TRIM | 1u << KTG_STROKE_JOIN;
     for (size_t i = 0; i < drawing->first_fold[pattern->piece_count]; i++)
         kinds |= 1u << drawing->folds[i].stroke;
     return kinds;

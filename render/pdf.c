@@ -45,16 +45,32 @@ static void begin_page(cairo_surface_t *surface, cairo_t *cairo, size_t number, 
     cairo_scale(cairo, POINT_PER_MM, POINT_PER_MM);
 }
 
+static void draw_covers(const ktg_drawing *drawing, cairo_surface_t *surface, cairo_t *cairo) {
+    const ktg_pattern_sheet *first = &drawing->pattern->sheets[0];
+    size_t count = ktg_cover_count(drawing);
+    for (size_t k = 0; k < count; k++) {
+        char label[32] = "cover";
+        if (k > 0)
+            snprintf(label, sizeof label, "cover %zu", k + 1);
+        begin_page(surface, cairo, k + 1, label, k > 0 ? "More maps" : "Cover and maps",
+                   first->width_mm, first->height_mm);
+        ktg_cover_draw(drawing, cairo, k);
+        cairo_show_page(cairo);
+    }
+}
+
 static ktg_status draw_sheets(const ktg_drawing *drawing, cairo_surface_t *surface,
                               cairo_t *cairo) {
     const ktg_pattern *pattern = drawing->pattern;
+    size_t before = ktg_cover_count(drawing);
     bool all_furnished = true;
+    draw_covers(drawing, surface, cairo);
     for (size_t s = 0; s < pattern->sheet_count; s++) {
         char label[32], name[48];
         bool furnished;
         snprintf(label, sizeof label, "%zu", s + 1);
         snprintf(name, sizeof name, "Sheet %zu", s + 1);
-        begin_page(surface, cairo, s + 1, label, name, pattern->sheets[s].width_mm,
+        begin_page(surface, cairo, before + s + 1, label, name, pattern->sheets[s].width_mm,
                    pattern->sheets[s].height_mm);
         ktg_status status = ktg_page_draw(drawing, s, cairo, &furnished);
         if (status != KTG_OK)
@@ -64,8 +80,8 @@ static ktg_status draw_sheets(const ktg_drawing *drawing, cairo_surface_t *surfa
     }
     if (!all_furnished) {
         const ktg_pattern_sheet *first = &pattern->sheets[0];
-        begin_page(surface, cairo, pattern->sheet_count + 1, "guide", "How to read this pattern",
-                   first->width_mm, first->height_mm);
+        begin_page(surface, cairo, before + pattern->sheet_count + 1, "guide",
+                   "How to read this pattern", first->width_mm, first->height_mm);
         ktg_guide_draw(drawing, cairo, first->width_mm, first->height_mm);
         cairo_show_page(cairo);
     }

@@ -124,7 +124,7 @@ static ktg_pattern *make_pattern(ktg_context *context) {
     p->seams[0].lengths_mm[1] = 1.0 / 7;
     p->sheet_count = 1;
     p->sheets = ktg_new(context, 1, ktg_pattern_sheet);
-    p->sheets[0] = (ktg_pattern_sheet){KTG_TILE, 210, 297, {10, 10, 200, 287}, 1, NULL};
+    p->sheets[0] = (ktg_pattern_sheet){KTG_TILE, 210, 297, {10, 10, 200, 287}, 1, NULL, 2, 0, 3};
     ktg_pattern_placement placement = {1, 12.5, 40.1, acos(-1) / 2};
     p->sheets[0].placements = ktg_copy_array(context, &placement, 1, sizeof placement);
     return p;
@@ -238,6 +238,9 @@ static void assert_same_seam(const ktg_pattern_seam *a, const ktg_pattern_seam *
 
 static void assert_same_sheet(const ktg_pattern_sheet *a, const ktg_pattern_sheet *b) {
     assert_int_equal(a->kind, b->kind);
+    assert_int_equal(a->poster, b->poster);
+    assert_int_equal(a->row, b->row);
+    assert_int_equal(a->column, b->column);
     assert_true(a->width_mm == b->width_mm && a->height_mm == b->height_mm);
     assert_memory_equal(a->printable, b->printable, sizeof a->printable);
     assert_int_equal(a->placement_count, b->placement_count);
@@ -390,8 +393,9 @@ static bool may_miss(const char *way) {
     const char *key = strrchr(way, '.');
     if (strstr(way, ".labels["))
         return !strcmp(key, ".rotation_deg") || !strcmp(key, ".height_mm") || !strcmp(key, ".edge");
-    return key && (!strcmp(key, ".size") || !strcmp(key, ".omitted") || !strcmp(key, ".forced") ||
-                   !strcmp(key, ".face_strain") || !strcmp(key, ".first_side"));
+    return key &&
+           (!strcmp(key, ".size") || !strcmp(key, ".omitted") || !strcmp(key, ".tile") ||
+            !strcmp(key, ".forced") || !strcmp(key, ".face_strain") || !strcmp(key, ".first_side"));
 }
 
 static size_t damage_below(fixture *f, const json_t *root, json_t *value, const char *way);
@@ -539,6 +543,7 @@ static void every_word_and_length_is_checked(void **state) {
         {"seams/0/sides/1", "edges", "[3, 3]", "seams[0].sides[1].edges: must have 1 items"},
         {"seams/0", "first_side", "[0, 1]", "seams[0].first_side: must have 1 items"},
         {"sheets/0", "kind", "\"page\"", "sheets[0].kind: is \"page\""},
+        {"sheets/0/tile", "row", "0", "sheets[0].tile: counts from 1"},
         {"sheets/0", "printable", "[1, 2, 3]", "sheets[0].printable: must have 4 items"},
         {"model", "mm_per_unit", "\"1\"", "model.mm_per_unit: must be a number, but it is a str"},
         {"edges/2/vertices", "0", "1.0", "edges[2].vertices[0]: must be an integer"},

@@ -63,7 +63,7 @@ static void too_large_a_piece_names_what_fits_and_touches_nothing(void **state) 
     bench_output(b, "net.json");
     b->options.size_rule = KTG_SIZE_FACTOR;
     b->options.size_mm = 30;
-    b->options.unfold.oversize = KTG_OVERSIZE_ERROR;
+    b->options.large = KTG_LARGE_ERROR;
     bench_refused(b, KTG_GEOMETRY, "fox.obj: piece 1");
     const char *told = strstr(ktg_context_message(b->context), "at most about ");
     assert_non_null(told);

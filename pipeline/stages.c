@@ -1,0 +1,82 @@
+/* pipeline/stages.c - from a repaired surface to a pattern on sheets. */
+#include "pipeline/stages.h"
+#include "core/clock.h"
+#include "core/memory.h"
+#include "pipeline/size.h"
+
+#include <string.h>
+
+const char *ktg_base_name(const char *path) {
+    const char *slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
+static ktg_status unfold(ktg_context *context, const ktg_stage *stage, ktg_pattern **pattern) {
+    const ktg_pipeline_options *options = stage->options;
+    ktg_unfold_options unfold = options->unfold;
+    ktg_progress(context, "unfold", 0, NULL);
+    unfold.sheet = options->layout.sheet;
+    unfold.finish = options->finish;
+    unfold.rules = stage->hand->rules;
+    unfold.rule_count = stage->hand->rule_count;
+    unfold.oversize = options->large == KTG_LARGE_SPLIT ? KTG_OVERSIZE_SPLIT : KTG_OVERSIZE_ERROR;
+    KTG_TRY(ktg_size_known(context, options, stage->mesh, &unfold.mm_per_unit));
+    if (options->large != KTG_LARGE_SPLIT)
+        unfold.mm_per_unit = 0; /* one piece, as compact as can be */
+    return ktg_unfold(context, stage->mesh, stage->title, &unfold, pattern, &stage->report->unfold);
+}
+
+static ktg_status flatten(ktg_context *context, const ktg_stage *stage, ktg_pattern **pattern) {
+    ktg_progress(context, "flatten", 0, NULL);
+    return ktg_flatten(context, stage->mesh, stage->title, &stage->options->flatten, pattern,
+                       &stage->report->flatten);
+}
+
+static ktg_status make_pieces(ktg_context *context, const ktg_stage *stage, ktg_pattern **pattern) {
+    const ktg_pipeline_options *options = stage->options;
+    ktg_pipeline_report *report = stage->report;
+    double start = ktg_clock_seconds();
+    KTG_TRY(options->mode == KTG_PAPER ? unfold(context, stage, pattern)
+                                       : flatten(context, stage, pattern));
+    report->seconds_unfold = ktg_clock_seconds() - start;
+    ktg_pattern *p = *pattern;
+    ktg_free(p->model_file);
+    p->model_file = ktg_copy_text(context, ktg_base_name(options->model), SIZE_MAX);
+    p->model_faces = report->model.faces;
+    p->simplified = report->simplify.faces_after != report->simplify.faces_before;
+    if (!p->model_file)
+        return KTG_MEMORY;
+    return ktg_pattern_set_omitted(context, p, options->omit, options->omit_count);
+}
+
+static ktg_status lay_out(ktg_context *context, const ktg_pipeline_options *options,
+                          ktg_pattern *pattern, ktg_layout_report *report) {
+    if (options->large == KTG_LARGE_TILE)
+        return ktg_layout_tile(context, pattern, &options->layout, options->overlap_mm, report);
+    return ktg_layout_place(context, pattern, &options->layout, report);
+}
+
+static ktg_status put_on_sheets(ktg_context *context, const ktg_stage *stage,
+                                ktg_pattern *pattern) {
+    const ktg_pipeline_options *options = stage->options;
+    ktg_pipeline_report *report = stage->report;
+    double mm_per_unit = 0;
+    ktg_progress(context, "sheets", 0, NULL);
+    KTG_TRY(ktg_size_scale(context, options, pattern, &mm_per_unit));
+    KTG_TRY(ktg_check_cancel(context));
+    KTG_TRY(ktg_pattern_scale(context, pattern, mm_per_unit));
+    KTG_TRY(ktg_pattern_finish(context, pattern, &options->finish, &report->finish));
+    KTG_TRY(lay_out(context, options, pattern, &report->layout));
+    report->faces = pattern->face_count;
+    report->pieces = (uint32_t)pattern->piece_count;
+    report->components = (uint32_t)pattern->component_count;
+    report->mm_per_unit = pattern->mm_per_unit;
+    report->up = ktg_size_up(options);
+    report->size_mm = ktg_size_of(pattern->vertices, pattern->vertex_count, report->up);
+    return KTG_OK;
+}
+
+ktg_status ktg_stage_pattern(ktg_context *context, const ktg_stage *stage, ktg_pattern **pattern) {
+    KTG_TRY(make_pieces(context, stage, pattern));
+    return put_on_sheets(context, stage, *pattern);
+}

@@ -1,0 +1,147 @@
+/* Posters: tiles that are marked where they join, and the cover with their map. */
+#include "render/draw.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+
+#include "tests/render/picture.h"
+#include "tests/render/strip.h"
+
+#include <cmocka.h>
+
+#define STEP_MM 70.0
+
+static int make_context(void **state) {
+    return ktg_context_new((ktg_context **)state);
+}
+
+static int drop_context(void **state) {
+    ktg_context_free((ktg_context **)state);
+    return *state != NULL;
+}
+
+/* A strip of 125 mm on two tiles that show 80 x 80 mm each. */
+static ktg_pattern *make_poster(ktg_context *context) {
+    ktg_pattern *pattern = make_strips(context, 2, 100, 100, 10, 12, 35);
+    for (uint32_t k = 0; k < 2; k++) {
+        ktg_pattern_sheet *tile = &pattern->sheets[k];
+        tile->kind = KTG_TILE;
+        tile->poster = 1;
+        tile->column = k;
+        tile->placements->piece = 0;
+        tile->placements->x -= STEP_MM * k;
+    }
+    return pattern;
+}
+
+static picture take(ktg_context *context, const ktg_pattern *pattern, size_t sheet) {
+    ktg_render_options options;
+    char *bytes;
+    size_t size;
+    ktg_render_defaults(&options);
+    options.dots_per_inch = 254;
+    assert_int_equal(render_bytes(context, pattern, "png", sheet, &options, &bytes, &size), KTG_OK);
+    picture taken = picture_of(bytes, size, 10, pattern->sheets[sheet].height_mm);
+    ktg_free(bytes);
+    return taken;
+}
+
+static void a_tile_shows_its_printable_area_only(void **state) {
+    ktg_context *context = *state;
+    ktg_pattern *pattern = make_poster(context);
+    picture first = take(context, pattern, 0), second = take(context, pattern, 1);
+    assert_true(picture_has_ink(&first, 88, 34, 90, 36)); /* the outline's lower side */
+    assert_false(picture_has_ink(&first, 90.3, 34, 94, 36));
+    assert_true(picture_has_ink(&second, 10.2, 74, 12, 76));
+    assert_false(picture_has_ink(&second, 7, 74, 9.7, 76));
+    picture_drop(&first);
+    picture_drop(&second);
+    ktg_pattern_free(&pattern);
+}
+
+static void neighbours_join_where_the_crosses_meet(void **state) {
+    ktg_context *context = *state;
+    ktg_pattern *pattern = make_poster(context);
+    picture first = take(context, pattern, 0), second = take(context, pattern, 1);
+    for (int k = 0; k < 2; k++) {
+        double y = k ? 70 : 30; /* 25 and 75 % of the printable height */
+        /* Both arms of a cross, at the join of the one and at the trim of the other. */
+        for (int side = -1; side <= 1; side += 2) {
+            assert_true(picture_has_ink(&first, 80 + side * 1.7 - 0.3, y + 1.4,
+                                        80 + side * 1.7 + 0.3, y + 2));
+            assert_true(picture_has_ink(&second, 10 + side * 1.7 - 0.3, y + 1.4,
+                                        10 + side * 1.7 + 0.3, y + 2));
+        }
+    }
+    assert_true(picture_has_ink(&first, 79.8, 77, 80.2, 90));   /* dashed */
+    assert_true(picture_has_ink(&second, 9.9, 76, 10.1, 76.2)); /* all along */
+    assert_true(picture_has_ink(&second, 9.9, 88, 10.1, 88.2));
+    assert_false(picture_has_ink(&first, 8, 71.5, 10.2, 89)); /* no neighbour at the left */
+    assert_false(picture_has_ink(&second, 79, 71.5, 81, 89)); /* nor at the right */
+    picture_drop(&first);
+    picture_drop(&second);
+    ktg_pattern_free(&pattern);
+}
+
+static void tiles_are_named_by_row_and_column(void **state) {
+    ktg_context *context = *state;
+    ktg_pattern *pattern = make_poster(context);
+    ktg_drawing *drawing;
+    char name[KTG_NAME_SIZE];
+    assert_int_equal(ktg_drawing_new(context, pattern, NULL, &drawing), KTG_OK);
+    ktg_tile_name(drawing, &pattern->sheets[1], name);
+    assert_string_equal(name, "A2");
+    pattern->sheets[1].row = 27;
+    ktg_tile_name(drawing, &pattern->sheets[1], name);
+    assert_string_equal(name, "AB2");
+    pattern->sheets[1].poster = 3;
+    ktg_tile_name(drawing, &pattern->sheets[1], name);
+    assert_string_equal(name, "3-AB2");
+    assert_int_equal(ktg_poster_count(pattern), 3);
+    ktg_drawing_free(&drawing);
+    ktg_pattern_free(&pattern);
+}
+
+static size_t count_text(const char *bytes, size_t size, const char *text) {
+    size_t count = 0, length = strlen(text);
+    for (const char *at = bytes; (at = memmem(at, size - (size_t)(at - bytes), text, length)); at++)
+        count++;
+    return count;
+}
+
+static size_t count_pages(const char *bytes, size_t size) {
+    return count_text(bytes, size, "/Type /Page") - count_text(bytes, size, "/Type /Pages");
+}
+
+static void a_cover_with_the_maps_comes_first(void **state) {
+    ktg_context *context = *state;
+    ktg_pattern *pattern = make_poster(context);
+    char *bytes;
+    size_t size;
+    assert_int_equal(render_bytes(context, pattern, "pdf", 0, NULL, &bytes, &size), KTG_OK);
+    assert_int_equal(count_pages(bytes, size) - count_text(bytes, size, "How to read"), 1 + 2);
+    assert_int_equal(count_text(bytes, size, "(cover)"), 1);
+    ktg_free(bytes);
+    pattern->sheets[1].poster = 13; /* six maps a page */
+    assert_int_equal(render_bytes(context, pattern, "pdf", 0, NULL, &bytes, &size), KTG_OK);
+    assert_int_equal(count_pages(bytes, size) - count_text(bytes, size, "How to read"), 3 + 2);
+    ktg_free(bytes);
+    for (uint32_t k = 0; k < 2; k++)
+        pattern->sheets[k].poster = 0; /* tiles of which nothing is told are drawn, too */
+    assert_int_equal(render_bytes(context, pattern, "pdf", 0, NULL, &bytes, &size), KTG_OK);
+    assert_int_equal(count_text(bytes, size, "(cover"), 0);
+    ktg_free(bytes);
+    ktg_pattern_free(&pattern);
+}
+
+#define CASE(name) cmocka_unit_test_setup_teardown(name, make_context, drop_context)
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        CASE(a_tile_shows_its_printable_area_only),
+        CASE(neighbours_join_where_the_crosses_meet),
+        CASE(tiles_are_named_by_row_and_column),
+        CASE(a_cover_with_the_maps_comes_first),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
