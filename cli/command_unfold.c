@@ -49,9 +49,13 @@ static void tell_result(void *user, const ktg_pipeline_report *r) {
         fputs("interrupted: this is the best pattern so far\n", stderr);
     if (r->unfold.stopped_by == KTG_STOPPED_TIME)
         fputs("the time is over: this is the best pattern so far\n", stderr);
+    char page[64];
+    const ktg_sheet_format *sheet = &s->pipeline.layout.sheet;
+    snprintf(page, sizeof page, "%.0f x %.0f mm", r->sheet_mm.x, r->sheet_mm.y);
     fprintf(stderr, "%u face%s in %u piece%s on %u sheet%s of %s, %.0f %% filled\n", r->faces,
             plural(r->faces), r->pieces, plural(r->pieces), r->layout.sheets,
-            plural(r->layout.sheets), s->pipeline.layout.sheet.name, 100 * r->layout.fill);
+            plural(r->layout.sheets), ktg_layout_is_page(sheet) ? page : sheet->name,
+            100 * r->layout.fill);
     fprintf(stderr,
             "finished size %.0f x %.0f x %.0f mm (width x height x length), %.4g mm per unit\n",
             r->size_mm.x, r->size_mm.y, r->size_mm.z, r->mm_per_unit);

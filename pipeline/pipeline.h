@@ -100,6 +100,7 @@ typedef struct ktg_pipeline_report {
     ktg_layout_report layout;
     uint32_t faces, pieces, components;
     uint32_t self_intersections; /* of the surface that was unfolded; pairs of faces */
+    ktg_vec2 sheet_mm; /* width and height of the sheets; of a page that fits, what it became */
     double mm_per_unit;
     ktg_vec3 size_mm; /* of the finished model: width, height (along up), length */
     ktg_axis up;      /* the axis that was taken */

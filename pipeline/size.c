@@ -36,6 +36,10 @@ ktg_status ktg_size_check(ktg_context *context, const ktg_pipeline_options *opti
                         "margins of %g mm leave nothing of a sheet of %g x %g mm", sheet->margin_mm,
                         sheet->width_mm, sheet->height_mm);
     if (options->size_rule == KTG_SIZE_FIT) {
+        if (ktg_layout_is_page(sheet))
+            return ktg_fail(context, KTG_ARGUMENT,
+                            "a page as large as the pattern needs does not say how large that is: "
+                            "give a height, a width, a length or a scale");
         if (options->mode == KTG_PAPER)
             return KTG_OK;
         return ktg_fail(
@@ -83,7 +87,7 @@ ktg_status ktg_size_scale(ktg_context *context, const ktg_pipeline_options *opti
         return ktg_pattern_fit(context, pattern, &options->layout.sheet, options->layout.gap_mm,
                                &options->finish, mm_per_unit);
     KTG_TRY(asked_scale(context, options, pattern->vertices, pattern->vertex_count, mm_per_unit));
-    return options->large == KTG_LARGE_SCALE
+    return options->large == KTG_LARGE_SCALE && !isinf(options->layout.sheet.width_mm)
                ? ktg_size_shrink(context, options, pattern, mm_per_unit)
                : KTG_OK;
 }

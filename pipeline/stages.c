@@ -2,6 +2,7 @@
 #include "pipeline/stages.h"
 #include "core/clock.h"
 #include "core/memory.h"
+#include "core/vec.h"
 #include "pipeline/size.h"
 
 #include <string.h>
@@ -11,17 +12,31 @@ const char *ktg_base_name(const char *path) {
     return slash ? slash + 1 : path;
 }
 
+/* A piece from a roll is at most so long for its width: such pieces can still be handled. */
+#define ROLL_SHAPE 2.0
+
+/* The sheet a net should fill: a page that fits whatever there is has no shape of its own. */
+static ktg_sheet_format sheet_to_fill(const ktg_sheet_format *sheet) {
+    ktg_sheet_format fill = *sheet;
+    if (isinf(sheet->width_mm))
+        ktg_sheet_defaults(&fill);
+    else if (isinf(sheet->height_mm))
+        fill.height_mm = fmin(ROLL_SHAPE * sheet->width_mm, KTG_LAYOUT_PAGE_MM);
+    return fill;
+}
+
 static ktg_status unfold(ktg_context *context, const ktg_stage *stage, ktg_pattern **pattern) {
     const ktg_pipeline_options *options = stage->options;
     ktg_unfold_options unfold = options->unfold;
     ktg_progress(context, "unfold", 0, NULL);
-    unfold.sheet = options->layout.sheet;
+    bool split = options->large == KTG_LARGE_SPLIT && !isinf(options->layout.sheet.width_mm);
+    unfold.sheet = sheet_to_fill(&options->layout.sheet);
     unfold.finish = options->finish;
     unfold.rules = stage->hand->rules;
     unfold.rule_count = stage->hand->rule_count;
     unfold.oversize = options->large == KTG_LARGE_SPLIT ? KTG_OVERSIZE_SPLIT : KTG_OVERSIZE_ERROR;
     KTG_TRY(ktg_size_known(context, options, stage->mesh, &unfold.mm_per_unit));
-    if (options->large != KTG_LARGE_SPLIT)
+    if (!split)
         unfold.mm_per_unit = 0; /* one piece, as compact as can be */
     return ktg_unfold(context, stage->mesh, stage->title, &unfold, pattern, &stage->report->unfold);
 }
@@ -51,6 +66,8 @@ static ktg_status make_pieces(ktg_context *context, const ktg_stage *stage, ktg_
 
 static ktg_status lay_out(ktg_context *context, const ktg_pipeline_options *options,
                           ktg_pattern *pattern, ktg_layout_report *report) {
+    if (ktg_layout_is_page(&options->layout.sheet))
+        return ktg_layout_page(context, pattern, &options->layout, report);
     if (options->large == KTG_LARGE_TILE)
         return ktg_layout_tile(context, pattern, &options->layout, options->overlap_mm, report);
     return ktg_layout_place(context, pattern, &options->layout, report);
@@ -71,6 +88,7 @@ static ktg_status put_on_sheets(ktg_context *context, const ktg_stage *stage,
     report->pieces = (uint32_t)pattern->piece_count;
     report->components = (uint32_t)pattern->component_count;
     report->mm_per_unit = pattern->mm_per_unit;
+    report->sheet_mm = (ktg_vec2){pattern->sheets[0].width_mm, pattern->sheets[0].height_mm};
     report->up = ktg_size_up(options);
     report->size_mm = ktg_size_of(pattern->vertices, pattern->vertex_count, report->up);
     return KTG_OK;
