@@ -141,6 +141,11 @@ static bool set_scale(settings *s, const char *text) {
            parse_number(text, 1e-12, 1e12, &s->pipeline.size_mm);
 }
 
+static bool set_sheets(settings *s, const char *text) {
+    return note_size(s, KTG_SIZE_FIT, "--sheets") && parse_count32(text, 1, &s->pipeline.sheets) &&
+           s->pipeline.sheets <= 1000;
+}
+
 static bool set_unit(settings *s, const char *text) {
     static const char *const units[] = {"mm", "cm", "m", "in", NULL};
     static const double mm[] = {1, 10, 1000, 25.4};
@@ -364,6 +369,7 @@ static const option_line lines[] = {
     {"width", 0, "LENGTH", PAPER, set_width, "its width"},
     {"length", 0, "LENGTH", PAPER, set_length, "its length, the third direction"},
     {"scale", 0, "FACTOR", PAPER, set_scale, "millimetres per unit of the model"},
+    {"sheets", 0, "N", CMD_UNFOLD, set_sheets, "as large as N sheets allow (1)"},
     {"unit", 0, "mm|cm|m|in", CMD_FLATTEN, set_unit, "the unit of the model file"},
     {"up", 0, "x|y|z", PAPER, set_up, "which axis is height (STL: z, others: y)"},
     {"paper", 'p', "FORMAT", PAPER, set_paper,

@@ -27,7 +27,7 @@ extern "C" {
 
 /* How large the finished model becomes. */
 typedef enum ktg_size_rule {
-    KTG_SIZE_FIT,    /* paper: as large as one sheet allows; cloth: not allowed */
+    KTG_SIZE_FIT,    /* paper: as large as `sheets` sheets allow; cloth: not allowed */
     KTG_SIZE_HEIGHT, /* the extent along `up` is size_mm */
     KTG_SIZE_WIDTH,  /* the extent along x (z when x is up) is size_mm */
     KTG_SIZE_LENGTH, /* the extent along the third axis is size_mm */
@@ -62,6 +62,7 @@ typedef struct ktg_pipeline_options {
 
     ktg_size_rule size_rule;
     double size_mm;
+    uint32_t sheets;   /* with KTG_SIZE_FIT: how many it may take; 1 */
     ktg_axis up;       /* auto: z for STL, y otherwise */
     ktg_large large;   /* split; cloth wants tile */
     double overlap_mm; /* of the sheets of a poster; 10 */

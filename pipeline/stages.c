@@ -47,7 +47,7 @@ static ktg_status flatten(ktg_context *context, const ktg_stage *stage, ktg_patt
                        &stage->report->flatten);
 }
 
-static ktg_status make_pieces(ktg_context *context, const ktg_stage *stage, ktg_pattern **pattern) {
+ktg_status ktg_stage_pieces(ktg_context *context, const ktg_stage *stage, ktg_pattern **pattern) {
     const ktg_pipeline_options *options = stage->options;
     ktg_pipeline_report *report = stage->report;
     double start = ktg_clock_seconds();
@@ -73,8 +73,7 @@ static ktg_status lay_out(ktg_context *context, const ktg_pipeline_options *opti
     return ktg_layout_place(context, pattern, &options->layout, report);
 }
 
-static ktg_status put_on_sheets(ktg_context *context, const ktg_stage *stage,
-                                ktg_pattern *pattern) {
+ktg_status ktg_stage_sheets(ktg_context *context, const ktg_stage *stage, ktg_pattern *pattern) {
     const ktg_pipeline_options *options = stage->options;
     ktg_pipeline_report *report = stage->report;
     double mm_per_unit = 0;
@@ -95,6 +94,8 @@ static ktg_status put_on_sheets(ktg_context *context, const ktg_stage *stage,
 }
 
 ktg_status ktg_stage_pattern(ktg_context *context, const ktg_stage *stage, ktg_pattern **pattern) {
-    KTG_TRY(make_pieces(context, stage, pattern));
-    return put_on_sheets(context, stage, *pattern);
+    if (stage->options->size_rule == KTG_SIZE_FIT && stage->options->sheets > 1)
+        return ktg_stage_fill(context, stage, pattern);
+    KTG_TRY(ktg_stage_pieces(context, stage, pattern));
+    return ktg_stage_sheets(context, stage, *pattern);
 }

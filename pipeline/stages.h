@@ -18,6 +18,16 @@ typedef struct ktg_stage {
 KTG_NODISCARD ktg_status ktg_stage_pattern(ktg_context *context, const ktg_stage *stage,
                                            ktg_pattern **pattern);
 
+/* The two halves of that: pieces without a scale; then their scale, tabs, labels and sheets. */
+KTG_NODISCARD ktg_status ktg_stage_pieces(ktg_context *context, const ktg_stage *stage,
+                                          ktg_pattern **pattern);
+KTG_NODISCARD ktg_status ktg_stage_sheets(ktg_context *context, const ktg_stage *stage,
+                                          ktg_pattern *pattern);
+
+/* The whole for options->sheets > 1: the largest pattern that takes no more sheets (fill.c). */
+KTG_NODISCARD ktg_status ktg_stage_fill(ktg_context *context, const ktg_stage *stage,
+                                        ktg_pattern **pattern);
+
 /* The last part of a path. */
 const char *ktg_base_name(const char *path);
 
