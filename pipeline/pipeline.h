@@ -74,8 +74,9 @@ typedef struct ktg_pipeline_options {
     ktg_render_options render;
 
     const char *const *outputs; /* output_count paths, kinds by ending: .pdf .svg .png .json; "-" is
-                                   PDF on standard output. SVG and PNG of several sheets become
-                                   NAME-01.svg, NAME-02.svg, ... */
+                                   PDF on standard output. A PNG shows all sheets, an SVG of several
+                                   becomes NAME-01.svg, NAME-02.svg, ...; with "%d" in its name
+                                   either becomes a file for each sheet, its number in that place */
     size_t output_count;
     const char *report; /* where the figures go as JSON, or NULL; one of the outputs in every other
                            way */

@@ -264,6 +264,14 @@ typedef struct ktg_sink {
 /* The write function for cairo's streams; `closure` is a ktg_sink. */
 cairo_status_t ktg_sink_write(void *closure, const unsigned char *bytes, unsigned int size);
 
+/* ---- png.c -------------------------------------------------------------------------------- */
+
+typedef ktg_status ktg_png_draw(const ktg_drawing *drawing, cairo_t *cairo, const void *what);
+
+/* A PNG of that many pixels on white; `draw` is handed `what`. */
+KTG_NODISCARD ktg_status ktg_png_make(const ktg_drawing *drawing, int width, int height,
+                                      ktg_png_draw *draw, const void *what, ktg_output *output);
+
 /* What cairo says as a status of ours with a message about `what` ("the PDF"). A failure of the
  * sink is the reason for all that came after it. */
 KTG_NODISCARD ktg_status ktg_cairo_status(ktg_context *context, const ktg_sink *sink,

@@ -47,6 +47,13 @@ KTG_API KTG_NODISCARD ktg_status ktg_render_png(ktg_context *context, const ktg_
                                                 size_t sheet, const ktg_render_options *options,
                                                 ktg_output *output);
 
+/* All pages in one PNG for a quick look: side by side in rows, no larger than 3000 pixels a side
+ * and at most at options->dots_per_inch. */
+KTG_API KTG_NODISCARD ktg_status ktg_render_contact(ktg_context *context,
+                                                    const ktg_pattern *pattern,
+                                                    const ktg_render_options *options,
+                                                    ktg_output *output);
+
 #ifdef __cplusplus
 }
 #endif
