@@ -5,6 +5,7 @@
 
 #define LETTER_WIDTH 0.85
 #define DOT_WIDTH    0.45
+#define WIDE_WIDTH   1.45 /* of Chinese, Japanese and Korean letters: from U+3000 on */
 
 static ktg_status build_grids(ktg_context *context, ktg_label_sheet *sheet) {
     const ktg_topology *t = sheet->topology;
@@ -46,7 +47,7 @@ double ktg_label_width(const char *text) {
     double width = 0;
     for (const char *c = text; *c; c++)
         if (((unsigned char)*c & 0xc0) != 0x80) /* not inside a UTF-8 character */
-            width += *c == '.' ? DOT_WIDTH : LETTER_WIDTH;
+            width += *c == '.' ? DOT_WIDTH : (unsigned char)*c >= 0xe3 ? WIDE_WIDTH : LETTER_WIDTH;
     return width;
 }
 

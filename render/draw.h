@@ -141,13 +141,25 @@ void ktg_draw_outline(const ktg_page *page, const ktg_pattern_placement *placeme
 void ktg_draw_joints(const ktg_page *page, const ktg_pattern_placement *placement);
 void ktg_draw_labels(const ktg_page *page, const ktg_pattern_placement *placement);
 
-/* ---- text.c ------------------------------------------------------------------------------- */
+/* ---- font.c, text.c
+ * ------------------------------------------------------------------------------- */
+
+/* The characters of a clean text in the order in which they stand from left to right: `text`
+ * itself, or `ordered` where some are written the other way. */
+const char *ktg_text_order(const char *text, char ordered[KTG_TITLE_SIZE]);
+
+#define KTG_FONT_FAMILY "DejaVu Sans"
+
+/* Chooses another typeface where the chosen one lacks letters of `text`, and goes back to the usual
+ * one. */
+cairo_font_face_t *ktg_font_begin(cairo_t *cairo, const char *text);
+void ktg_font_end(cairo_t *cairo, cairo_font_face_t *usual);
 
 typedef enum ktg_face { KTG_FACE_PLAIN, KTG_FACE_BOLD } ktg_face;
 
 /* Copies what is valid UTF-8 of `text` (up to `length` bytes or its end) into `clean` (`size`
- * bytes): what is not becomes U+FFFD, control characters become spaces, and what has no room is
- * left out, whole characters at a time. */
+ * bytes): what is not becomes U+FFFD, control characters become spaces; marks of direction, and
+ * what has no room, are left out, whole characters at a time. */
 void ktg_text_clean(const char *text, size_t length, char *clean, size_t size);
 
 /* Chooses face and size; `digit_mm` is the height of a digit. */
@@ -156,6 +168,8 @@ void ktg_text_set(cairo_t *cairo, ktg_face face, double digit_mm);
 double ktg_text_width(cairo_t *cairo, const char *text);
 /* `text` starting at (x, baseline). */
 void ktg_text_draw(cairo_t *cairo, double x, double baseline, const char *text);
+/* The white ground of that text: a stroke of the given width around its letters. */
+void ktg_text_ground(cairo_t *cairo, double x, double baseline, const char *text, double width);
 /* `text` shortened with an ellipsis until it is at most `width` wide; "" when not even that fits.
  * `text` is clean and is changed in place; `size` is what its array holds. */
 void ktg_text_shorten(cairo_t *cairo, double width, char *text, size_t size);

@@ -59,12 +59,7 @@ void ktg_draw_grounds(const ktg_page *page, const ktg_pattern_placement *placeme
         const ktg_pattern_label *label = &piece->labels[i];
         if (label->edge != KTG_NONE || !begin_label(page, placement, label, &placed))
             continue;
-        cairo_move_to(cairo, placed.x, placed.baseline);
-        cairo_text_path(cairo, placed.text);
-        cairo_set_source_rgb(cairo, 1, 1, 1);
-        cairo_set_dash(cairo, NULL, 0, 0);
-        cairo_set_line_width(cairo, label->height_mm / 3);
-        cairo_stroke(cairo);
+        ktg_text_ground(cairo, placed.x, placed.baseline, placed.text, label->height_mm / 3);
         cairo_restore(cairo);
     }
 }

@@ -84,11 +84,7 @@ static void name_neighbour(const ktg_page *page, const join *j) {
     double x = upright ? foot.x - j->out.x * gap - (j->out.x > 0 ? width : 0) : foot.x - width / 2;
     double base = upright ? foot.y + SMALL_DIGIT_MM / 2
                           : foot.y - j->out.y * gap + (j->out.y > 0 ? 0 : SMALL_DIGIT_MM);
-    cairo_move_to(cairo, x, base);
-    cairo_text_path(cairo, name);
-    cairo_set_source_rgb(cairo, 1, 1, 1);
-    cairo_set_line_width(cairo, 1.2);
-    cairo_stroke(cairo);
+    ktg_text_ground(cairo, x, base, name, 1.2);
     cairo_set_source_rgb(cairo, 0.4, 0.4, 0.4);
     ktg_draw_arrow_head(cairo, tip, foot, arrow);
     ktg_text_draw(cairo, x, base, name);

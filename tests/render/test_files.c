@@ -97,6 +97,32 @@ static void the_text_of_a_pdf_can_be_searched(void **state) {
     ktg_pattern_free(&pattern);
 }
 
+static void the_outline_says_what_lies_on_each_sheet(void **state) {
+    ktg_context *context = *state;
+    ktg_pattern *pattern = two_on_a4(context);
+    char *bytes;
+    size_t size;
+    assert_int_equal(render_bytes(context, pattern, "pdf", 0, NULL, &bytes, &size), KTG_OK);
+    assert_int_equal(count_text(bytes, size, "(Sheets)"), 1);
+    assert_int_equal(count_text(bytes, size, "(Sheet 1: strip 1 of 2)"), 1);
+    assert_int_equal(count_text(bytes, size, "(Sheet 2: strip 2 of 2)"), 1);
+    ktg_free(bytes);
+    pattern->sheet_count = 1;
+    assert_int_equal(render_bytes(context, pattern, "pdf", 0, NULL, &bytes, &size), KTG_OK);
+    assert_int_equal(count_text(bytes, size, "(Sheets)"), 0);
+    ktg_free(bytes);
+    pattern->sheet_count = 2;
+    for (uint32_t k = 0; k < 2; k++) {
+        pattern->sheets[k].kind = KTG_TILE;
+        pattern->sheets[k].poster = k + 1;
+    }
+    assert_int_equal(render_bytes(context, pattern, "pdf", 0, NULL, &bytes, &size), KTG_OK);
+    assert_int_equal(count_text(bytes, size, "(Poster 2: strip 2 of 2)"), 1);
+    assert_int_equal(count_text(bytes, size, "(2-A1)"), 1);
+    ktg_free(bytes);
+    ktg_pattern_free(&pattern);
+}
+
 static void the_fonts_of_a_pdf_are_embedded(void **state) {
     ktg_context *context = *state;
     if (!installed("pdffonts"))
@@ -337,6 +363,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(a_pdf_has_a_page_per_sheet, make_context, drop_context),
         cmocka_unit_test_setup_teardown(the_text_of_a_pdf_can_be_searched, make_context,
+                                        drop_context),
+        cmocka_unit_test_setup_teardown(the_outline_says_what_lies_on_each_sheet, make_context,
                                         drop_context),
         cmocka_unit_test_setup_teardown(the_fonts_of_a_pdf_are_embedded, make_context,
                                         drop_context),
