@@ -168,6 +168,9 @@ void ktg_text_set(cairo_t *cairo, ktg_face face, double digit_mm);
 double ktg_text_width(cairo_t *cairo, const char *text);
 /* `text` starting at (x, baseline). */
 void ktg_text_draw(cairo_t *cairo, double x, double baseline, const char *text);
+/* A short text with its middle at the origin, which is turned by `angle` counter-clockwise against
+ * the page. */
+void ktg_number_draw(cairo_t *cairo, double angle, double digit_mm, const char *text);
 /* The white ground of that text: a stroke of the given width around its letters. */
 void ktg_text_ground(cairo_t *cairo, double x, double baseline, const char *text, double width);
 /* `text` shortened with an ellipsis until it is at most `width` wide; "" when not even that fits.

@@ -11,7 +11,7 @@ static bool upside_down(double angle) {
 /* A label where it is read: its text, and cairo moved and turned so that (0, 0) is its centre. */
 typedef struct placed_label {
     char text[128]; /* each byte of a label may become the three of U+FFFD */
-    double x, baseline;
+    double x, baseline, angle;
 } placed_label;
 
 /* The place nearest to `at` where a text of the given size, turned by `angle`, stays within the
@@ -47,6 +47,7 @@ static bool begin_label(const ktg_page *page, const ktg_pattern_placement *place
     cairo_rotate(page->cairo, -angle);
     placed->x = -width / 2;
     placed->baseline = label->height_mm / 2;
+    placed->angle = angle;
     return true;
 }
 
@@ -73,7 +74,10 @@ void ktg_draw_labels(const ktg_page *page, const ktg_pattern_placement *placemen
         if (!begin_label(page, placement, label, &placed))
             continue;
         cairo_set_source_rgb(page->cairo, grey, grey, grey);
-        ktg_text_draw(page->cairo, placed.x, placed.baseline, placed.text);
+        if (label->edge == KTG_NONE)
+            ktg_text_draw(page->cairo, placed.x, placed.baseline, placed.text);
+        else
+            ktg_number_draw(page->cairo, placed.angle, label->height_mm, placed.text);
         cairo_restore(page->cairo);
     }
 }
