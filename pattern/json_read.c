@@ -266,6 +266,8 @@ static ktg_status read_seam(const ktg_json *object, const ktg_json_reader *r, ui
     KTG_TRY(read_seam_side(&sides, 0, r, seam));
     KTG_TRY(read_seam_side(&sides, 1, r, seam));
     KTG_TRY(read_first_sides(object, r, seam));
+    KTG_TRY(ktg_json_get_optional(object, "obvious", KTG_JSON_BOOLEAN, &item));
+    seam->obvious = item.value && json_is_true(item.value);
     KTG_TRY(ktg_json_item(&sides, 0, KTG_JSON_OBJECT, &side));
     KTG_TRY(ktg_json_get(&side, "edges", KTG_JSON_ARRAY, &list));
     for (uint32_t i = 0; i < seam->edge_count; i++) {

@@ -253,6 +253,10 @@ static void write_labels(writer *w, const ktg_pattern_piece *piece) {
             put(w, "null");
         else
             count(w, (size_t)label->edge + 1);
+        if (label->leader) {
+            put(w, ",\"leader\":");
+            point(w, label->foot);
+        }
         put(w, "}");
     }
     put(w, "]");
@@ -350,7 +354,7 @@ static void write_seam(writer *w, const ktg_pattern_seam *seam, size_t id) {
         between(w, i, ",");
         put(w, seam->first_side[i] ? "1" : "0");
     }
-    put(w, "]}");
+    put(w, seam->obvious ? "],\"obvious\":true}" : "]}");
 }
 
 static void write_seams(writer *w, const ktg_pattern *p) {

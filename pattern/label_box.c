@@ -41,6 +41,7 @@ void ktg_label_sheet_drop(ktg_label_sheet *sheet) {
     ktg_free(sheet->face_labels);
     ktg_free(sheet->next_label);
     ktg_free(sheet->places);
+    ktg_free(sheet->wants);
 }
 
 double ktg_label_width(const char *text) {
@@ -84,6 +85,30 @@ bool ktg_label_face_taken(const ktg_label_sheet *sheet, uint32_t face, const ktg
     for (uint32_t k = sheet->face_labels[face]; k != KTG_NONE; k = sheet->next_label[k])
         if (ktg_label_boxes_meet(&sheet->places[k], box))
             return true;
+    return false;
+}
+
+/* The label's own box, or that of its leader. */
+static ktg_label_box box_of(const ktg_pattern_label *label, bool leader) {
+    ktg_vec2 v = ktg_sub2(label->foot, label->at);
+    double length = ktg_length2(v);
+    if (leader && length > 0)
+        return (ktg_label_box){
+            ktg_madd2(label->at, 0.5, v), ktg_mul2(v, 1 / length), {length / 2, 0.05}};
+    return (ktg_label_box){
+        label->at,
+        {cos(label->rotation), sin(label->rotation)},
+        {label->height_mm * ktg_label_width(label->text) / 2, label->height_mm / 2}};
+}
+
+bool ktg_label_piece_taken(const ktg_label_sheet *sheet, uint32_t p, const ktg_label_box *box) {
+    const ktg_pattern_piece *piece = &sheet->pattern->pieces[p];
+    for (size_t i = 0; i < piece->label_count; i++)
+        for (int leader = 0; leader <= piece->labels[i].leader; leader++) {
+            ktg_label_box other = box_of(&piece->labels[i], leader);
+            if (ktg_label_boxes_meet(&other, box))
+                return true;
+        }
     return false;
 }
 

@@ -88,6 +88,8 @@ typedef struct ktg_pattern_label {
     double rotation;  /* radians, counter-clockwise; 0 reads upright when the piece is not turned */
     double height_mm; /* of a digit */
     uint32_t edge;    /* the edge it belongs to, or KTG_NONE (a piece's name) */
+    bool leader;      /* a line leads from it to ... */
+    ktg_vec2 foot;    /* ... this point, at its edge */
 } ktg_pattern_label;
 
 typedef struct ktg_pattern_piece {
@@ -124,6 +126,8 @@ typedef struct ktg_pattern_seam {
     uint8_t *first_side;  /* edge_count: which of the edge's sides belongs to the seam's side 0 */
     uint32_t pieces[2];   /* indices into pieces (the same one for a seam of a piece with itself) */
     double lengths_mm[2]; /* measured in 2D */
+    bool obvious; /* paper: its sides meet in a point and lie side by side, so that it needs no
+                     number; such seams come last */
 } ktg_pattern_seam;
 
 typedef struct ktg_pattern_component {

@@ -66,6 +66,8 @@ void ktg_guide_draw(const ktg_drawing *drawing, cairo_t *cairo, double width_mm,
     ktg_column_skip(&at, 5);
     ktg_column_write(&at, KTG_FACE_BOLD, 2.8, 0, "Numbers");
     ktg_column_write(&at, KTG_FACE_PLAIN, 2.4, 0, "Edges with the same number belong together.");
+    ktg_column_write(&at, KTG_FACE_PLAIN, 2.4, 0,
+                     "Edges without one meet in a narrow notch: they belong together, too.");
     ktg_column_write(
         &at, KTG_FACE_PLAIN, 2.4, 0,
         "A dot follows numbers that could be read upside down: \"6.\" is six, not nine.");

@@ -1,6 +1,8 @@
 /* render/labels.c - numbers and names on the pieces. */
 #include "render/draw.h"
 
+#define LEADER_MM 0.12
+
 /* True when text turned counter-clockwise by `angle` stands on its head, or reads from top to
  * bottom. */
 static bool upside_down(double angle) {
@@ -51,14 +53,34 @@ static bool begin_label(const ktg_page *page, const ktg_pattern_placement *place
     return true;
 }
 
-/* A name may cross folds: there they are interrupted. */
+/* The line from a number to its edge, in a colour of its own: neither cut nor fold. */
+static void draw_leader(const ktg_page *page, const ktg_pattern_placement *placement,
+                        const ktg_pattern_label *label) {
+    ktg_motion2 motion = ktg_page_motion(placement);
+    ktg_vec2 foot = ktg_page_point(page, motion, label->foot);
+    ktg_vec2 at = ktg_page_point(page, motion, label->at);
+    cairo_set_source_rgb(page->cairo, 0.5, 0.5, 0.5);
+    cairo_set_line_width(page->cairo, LEADER_MM);
+    cairo_set_dash(page->cairo, NULL, 0, 0);
+    cairo_move_to(page->cairo, at.x, at.y);
+    cairo_line_to(page->cairo, foot.x, foot.y);
+    cairo_stroke(page->cairo);
+    cairo_arc(page->cairo, foot.x, foot.y, 2.5 * LEADER_MM, 0, 2 * KTG_PI);
+    cairo_fill(page->cairo);
+}
+
+/* A name may cross folds, and so may a number away from its edge: there they are interrupted. */
 void ktg_draw_grounds(const ktg_page *page, const ktg_pattern_placement *placement) {
     const ktg_pattern_piece *piece = &page->drawing->pattern->pieces[placement->piece];
     cairo_t *cairo = page->cairo;
     placed_label placed;
     for (size_t i = 0; i < piece->label_count; i++) {
         const ktg_pattern_label *label = &piece->labels[i];
-        if (label->edge != KTG_NONE || !begin_label(page, placement, label, &placed))
+        if (label->edge != KTG_NONE && !label->leader)
+            continue;
+        if (label->leader)
+            draw_leader(page, placement, label);
+        if (!begin_label(page, placement, label, &placed))
             continue;
         ktg_text_ground(cairo, placed.x, placed.baseline, placed.text, label->height_mm / 3);
         cairo_restore(cairo);

@@ -93,7 +93,7 @@ static ktg_pattern *make_pattern(ktg_context *context) {
     piece->lines[0].points = ktg_copy_array(context, piece->vertices, 2, sizeof(ktg_vec2));
     piece->label_count = 2;
     piece->labels = ktg_new(context, 2, ktg_pattern_label);
-    piece->labels[0] = (ktg_pattern_label){"12.", {1, 2}, 0.7, 2.4, 2};
+    piece->labels[0] = (ktg_pattern_label){"12.", {1, 2}, 0.7, 2.4, 2, true, {3, 4}};
     piece->labels[1] = (ktg_pattern_label){"left", {1, 2}, -acos(-1), 3, KTG_NONE};
     p->edge_count = 5;
     p->edges = ktg_new(context, 5, ktg_pattern_edge);
@@ -120,6 +120,7 @@ static ktg_pattern *make_pattern(ktg_context *context) {
     p->seams[0].edges = ktg_copy_array(context, &(uint32_t){2}, 1, sizeof(uint32_t));
     p->seams[0].first_side = ktg_copy_array(context, &(uint8_t){1}, 1, 1);
     p->seams[0].pieces[0] = 1;
+    p->seams[0].obvious = true;
     p->seams[0].lengths_mm[0] = 1.0 / 7;
     p->seams[0].lengths_mm[1] = 1.0 / 7;
     p->sheet_count = 1;
@@ -212,6 +213,8 @@ static void assert_same_piece(const ktg_pattern_piece *a, const ktg_pattern_piec
                     1e-15 * fabs(a->labels[i].rotation));
         assert_true(a->labels[i].height_mm == b->labels[i].height_mm);
         assert_int_equal(a->labels[i].edge, b->labels[i].edge);
+        assert_int_equal(a->labels[i].leader, b->labels[i].leader);
+        assert_memory_equal(&a->labels[i].foot, &b->labels[i].foot, sizeof(ktg_vec2));
     }
     assert_int_equal(a->cut_count, b->cut_count);
     assert_int_equal(a->cut_mirrored, b->cut_mirrored);
@@ -234,6 +237,7 @@ static void assert_same_seam(const ktg_pattern_seam *a, const ktg_pattern_seam *
     assert_same_array(a, b, a->edge_count, first_side);
     assert_memory_equal(a->pieces, b->pieces, sizeof a->pieces);
     assert_memory_equal(a->lengths_mm, b->lengths_mm, sizeof a->lengths_mm);
+    assert_int_equal(a->obvious, b->obvious);
 }
 
 static void assert_same_sheet(const ktg_pattern_sheet *a, const ktg_pattern_sheet *b) {
@@ -392,10 +396,11 @@ static void save(fixture *f, const json_t *root) {
 static bool may_miss(const char *way) {
     const char *key = strrchr(way, '.');
     if (strstr(way, ".labels["))
-        return !strcmp(key, ".rotation_deg") || !strcmp(key, ".height_mm") || !strcmp(key, ".edge");
-    return key &&
-           (!strcmp(key, ".size") || !strcmp(key, ".omitted") || !strcmp(key, ".tile") ||
-            !strcmp(key, ".forced") || !strcmp(key, ".face_strain") || !strcmp(key, ".first_side"));
+        return !strcmp(key, ".rotation_deg") || !strcmp(key, ".height_mm") ||
+               !strcmp(key, ".edge") || !strcmp(key, ".leader");
+    return key && (!strcmp(key, ".size") || !strcmp(key, ".omitted") || !strcmp(key, ".tile") ||
+                   !strcmp(key, ".obvious") || !strcmp(key, ".forced") ||
+                   !strcmp(key, ".face_strain") || !strcmp(key, ".first_side"));
 }
 
 static size_t damage_below(fixture *f, const json_t *root, json_t *value, const char *way);
