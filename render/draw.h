@@ -177,11 +177,12 @@ void ktg_text_ground(cairo_t *cairo, double x, double baseline, const char *text
  * `text` is clean and is changed in place; `size` is what its array holds. */
 void ktg_text_shorten(cairo_t *cairo, double width, char *text, size_t size);
 
-/* ---- furniture.c, block.c, legend.c, ruler.c, guide.c ------------------------------------- */
+/* ---- furniture.c, block.c, pocket.c, legend.c, ruler.c, guide.c
+ * ------------------------------------- */
 
-/* Draws title, legend and rulers around or between the pieces; false when there was no room for
- * them. */
-bool ktg_furniture_draw(const ktg_page *page);
+/* Draws title, legend and rulers around or between the pieces; *complete is false when there was no
+ * room for some of them. */
+KTG_NODISCARD ktg_status ktg_furniture_draw(const ktg_page *page, bool *complete);
 
 #define KTG_DETAIL_COUNT 4
 #define KTG_DETAIL_SIZE  96
@@ -191,11 +192,27 @@ bool ktg_furniture_draw(const ktg_page *page);
 size_t ktg_furniture_details(const ktg_drawing *drawing, size_t sheet,
                              char details[KTG_DETAIL_COUNT][KTG_DETAIL_SIZE]);
 
-/* The same furniture as one block, in a corner no piece reaches into; false when there is none. */
-bool ktg_block_draw(const ktg_page *page);
+/* The same furniture, or only the legend, in pockets no piece reaches into. */
+KTG_NODISCARD ktg_status ktg_block_draw(const ktg_page *page, bool *complete);
+KTG_NODISCARD ktg_status ktg_block_legend(const ktg_page *page, bool *complete);
 
-/* True when no piece comes within `clearance` mm of the area. */
-bool ktg_page_is_free(const ktg_page *page, ktg_area area, double clearance);
+#define KTG_POCKETS 8
+
+/* What is free of a sheet. Free with ktg_pockets_drop. */
+typedef struct ktg_pockets {
+    int width, height; /* dots */
+    double scale;      /* of them in a millimetre */
+    uint32_t *sums;    /* (width + 1) x (height + 1) */
+    size_t taken_count;
+    ktg_area taken[KTG_POCKETS];
+} ktg_pockets;
+
+KTG_NODISCARD ktg_status ktg_pockets_find(const ktg_page *page, ktg_pockets *pockets);
+void ktg_pockets_drop(ktg_pockets *pockets);
+/* A free rectangle of that size within a printer's reach, which is taken from now on; false when
+ * there is none. */
+bool ktg_pockets_take(const ktg_page *page, ktg_pockets *pockets, double width, double height,
+                      ktg_area *area);
 
 /* The word of a stroke for the legend; `brief` leaves out what goes without saying. */
 const char *ktg_legend_word(ktg_stroke stroke, bool brief);

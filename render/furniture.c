@@ -119,14 +119,15 @@ static void draw_left(const ktg_page *page, ktg_area printable) {
         ktg_ruler_draw(page->cairo, x, printable.y1, ktg_ruler_length(true) <= room, true);
 }
 
-bool ktg_furniture_draw(const ktg_page *page) {
+ktg_status ktg_furniture_draw(const ktg_page *page, bool *complete) {
     ktg_area printable = ktg_page_printable(page);
     double least = KTG_PAPER_EDGE_MM + KTG_STRIP_MM - 1e-6;
     bool strips = printable.y0 >= least && printable.x0 >= least &&
                   page->sheet->height_mm - printable.y1 >= least;
     if (!strips)
-        return ktg_block_draw(page);
+        return ktg_block_draw(page, complete);
     draw_title(page, printable);
     draw_left(page, printable);
-    return draw_bottom(page, printable);
+    *complete = draw_bottom(page, printable);
+    return *complete ? KTG_OK : ktg_block_legend(page, complete);
 }

@@ -46,7 +46,9 @@ ktg_status ktg_page_draw(const ktg_drawing *drawing, size_t number, cairo_t *cai
     if (status != KTG_OK)
         return status;
     ktg_page_begin(cairo);
-    *furnished = ktg_furniture_draw(&page);
+    status = ktg_furniture_draw(&page, furnished);
+    if (status != KTG_OK)
+        return status;
     if (ktg_is_tile(page.sheet))
         ktg_tile_draw_ground(&page);
     cairo_save(cairo);
