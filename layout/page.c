@@ -113,25 +113,29 @@ static ktg_status lay(ktg_context *context, ktg_pattern *pattern, const ktg_layo
     return KTG_OK;
 }
 
-/* Of some widths the one that makes the smallest page. */
+/* Of some widths the one that makes the smallest page. One that makes too long a page is none. */
 static ktg_status lay_free(ktg_context *context, ktg_pattern *pattern,
                            const ktg_layout_options *options, ktg_layout_report *report) {
     static const double tries[] = {1, 0.85, 1.2, 1.4};
-    double area, least, best = INFINITY, best_width = 0, margin = options->sheet.margin_mm;
+    double area, least, best = INFINITY, margin = options->sheet.margin_mm;
     KTG_TRY(measure(context, pattern, options, &area, &least));
-    size_t count = pattern->piece_count > 1 ? sizeof tries / sizeof *tries : 1;
-    for (size_t k = 0; k < count; k++) {
-        double room =
-            fmax(least * (1 + 1e-9), pattern->piece_count > 1 ? tries[k] * sqrt(area) : 0);
-        double width = fmin(room + 2 * margin, KTG_LAYOUT_PAGE_MM);
-        KTG_TRY(lay(context, pattern, options, width, report));
+    least = least * (1 + 1e-9) + 2 * margin;
+    if (pattern->piece_count == 1)
+        return lay(context, pattern, options, fmin(least, KTG_LAYOUT_PAGE_MM), report);
+    double best_width = fmin(fmax(least, sqrt(area) + 2 * margin), KTG_LAYOUT_PAGE_MM);
+    for (size_t k = 0; k < sizeof tries / sizeof *tries; k++) {
+        double width = fmin(fmax(least, tries[k] * sqrt(area) + 2 * margin), KTG_LAYOUT_PAGE_MM);
+        ktg_status status = lay(context, pattern, options, width, report);
+        if (status == KTG_LIMIT)
+            continue;
+        KTG_TRY(status);
         double size = pattern->sheets[0].width_mm * pattern->sheets[0].height_mm;
         if (size < best * (1 - 1e-9)) {
             best = size;
             best_width = width;
         }
     }
-    return count > 1 ? lay(context, pattern, options, best_width, report) : KTG_OK;
+    return lay(context, pattern, options, best_width, report);
 }
 
 ktg_status ktg_layout_page(ktg_context *context, ktg_pattern *pattern,

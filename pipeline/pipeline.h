@@ -71,7 +71,7 @@ typedef struct ktg_pipeline_options {
     ktg_flatten_options flatten;
     ktg_finish_options finish;
     ktg_layout_options layout;
-    ktg_render_options render;
+    ktg_render_options render; /* its `up` is set by the run */
 
     const char *const *outputs; /* output_count paths, kinds by ending: .pdf .svg .png .json; "-" is
                                    PDF on standard output. A PNG shows all sheets, an SVG of several

@@ -2,11 +2,14 @@
  * strips: all of it as one block where there is room, else part by part. */
 #include "render/draw.h"
 
+#include "core/memory.h"
+
 #include <string.h>
 
 #define TITLE_DIGIT_MM  2.4
 #define DETAIL_DIGIT_MM 1.75
 #define LINE_MM         3.6
+#define SOLID_GAP_MM    2.0
 
 /* A part is drawn from its upper left corner, or with `dry` only measured; returns its height. */
 typedef double part(const ktg_page *page, double x, double y, double width, bool dry);
@@ -88,7 +91,7 @@ static bool place(const ktg_page *page, ktg_pockets *pockets, part *draw, const 
     for (size_t i = 0; i < count; i++) {
         ktg_area area;
         double height = draw(page, 0, 0, widths[i], true);
-        if (!ktg_pockets_take(page, pockets, widths[i], height, &area))
+        if (!ktg_pockets_take(pockets, widths[i], height, &area))
             continue;
         draw(page, area.x0, area.y0, widths[i], false);
         return true;
@@ -100,15 +103,14 @@ static bool place(const ktg_page *page, ktg_pockets *pockets, part *draw, const 
 static void place_upright(const ktg_page *page, ktg_pockets *pockets) {
     for (int long_one = 1; long_one >= 0; long_one--) {
         ktg_area area;
-        if (!ktg_pockets_take(page, pockets, KTG_STRIP_MM, ktg_ruler_length(long_one), &area))
+        if (!ktg_pockets_take(pockets, KTG_STRIP_MM, ktg_ruler_length(long_one), &area))
             continue;
         ktg_ruler_draw(page->cairo, area.x0 + KTG_STRIP_MM / 2, area.y1, long_one, true);
         return;
     }
 }
 
-/* True when caption, legend and a ruler have their places. */
-static bool place_all(const ktg_page *page, ktg_pockets *pockets) {
+bool ktg_block_draw(const ktg_page *page, ktg_pockets *pockets) {
     const double lengths[] = {ktg_ruler_length(true), ktg_ruler_length(false)};
     const double wide[] = {lengths[0], 150, 75, lengths[1]}, narrow[] = {150, 101.6, 75, 50.8, 36};
     if (place(page, pockets, whole, wide, sizeof wide / sizeof *wide)) {
@@ -124,19 +126,29 @@ static bool place_all(const ktg_page *page, ktg_pockets *pockets) {
     return named && told && measured;
 }
 
-ktg_status ktg_block_draw(const ktg_page *page, bool *complete) {
-    ktg_pockets pockets;
-    ktg_status status = ktg_pockets_find(page, &pockets);
-    *complete = status == KTG_OK && place_all(page, &pockets);
-    ktg_pockets_drop(&pockets);
-    return status;
+bool ktg_block_legend(const ktg_page *page, ktg_pockets *pockets) {
+    const double narrow[] = {150, 101.6, 75, 50.8, 36, 25};
+    return place(page, pockets, legend, narrow, sizeof narrow / sizeof *narrow);
 }
 
-ktg_status ktg_block_legend(const ktg_page *page, bool *complete) {
-    const double narrow[] = {150, 101.6, 75, 50.8, 36, 25};
-    ktg_pockets pockets;
-    ktg_status status = ktg_pockets_find(page, &pockets);
-    *complete = status == KTG_OK && place(page, &pockets, legend, narrow, 6);
-    ktg_pockets_drop(&pockets);
-    return status;
+/* Two views side by side, two above each other, or one; large, or small. */
+ktg_status ktg_block_solid(const ktg_page *page, ktg_pockets *pockets) {
+    static const int views[][2] = {{2, 1}, {1, 2}, {1, 1}};
+    static const double sizes[] = {60, 45, 35};
+    for (size_t i = 0; i < 9; i++) {
+        const int *view = views[i % 3];
+        double size = sizes[i / 3];
+        ktg_area area;
+        if (!ktg_pockets_take(pockets, view[0] * size, view[1] * size, &area))
+            continue;
+        for (int k = 0; k < view[0] * view[1]; k++) {
+            double x = area.x0 + (view[0] > 1 ? k * size : 0) + SOLID_GAP_MM;
+            double y = area.y0 + (view[1] > 1 ? k * size : 0) + SOLID_GAP_MM;
+            double side = size - 2 * SOLID_GAP_MM;
+            KTG_TRY(ktg_solid_draw(page->drawing, page->cairo, (ktg_area){x, y, x + side, y + side},
+                                   k > 0));
+        }
+        return KTG_OK;
+    }
+    return KTG_OK;
 }

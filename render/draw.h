@@ -192,10 +192,6 @@ KTG_NODISCARD ktg_status ktg_furniture_draw(const ktg_page *page, bool *complete
 size_t ktg_furniture_details(const ktg_drawing *drawing, size_t sheet,
                              char details[KTG_DETAIL_COUNT][KTG_DETAIL_SIZE]);
 
-/* The same furniture, or only the legend, in pockets no piece reaches into. */
-KTG_NODISCARD ktg_status ktg_block_draw(const ktg_page *page, bool *complete);
-KTG_NODISCARD ktg_status ktg_block_legend(const ktg_page *page, bool *complete);
-
 #define KTG_POCKETS 8
 
 /* What is free of a sheet. Free with ktg_pockets_drop. */
@@ -203,16 +199,23 @@ typedef struct ktg_pockets {
     int width, height; /* dots */
     double scale;      /* of them in a millimetre */
     uint32_t *sums;    /* (width + 1) x (height + 1) */
+    ktg_area within;   /* nothing is looked for outside */
     size_t taken_count;
     ktg_area taken[KTG_POCKETS];
 } ktg_pockets;
 
-KTG_NODISCARD ktg_status ktg_pockets_find(const ktg_page *page, ktg_pockets *pockets);
+/* What the pieces leave free of `within`. */
+KTG_NODISCARD ktg_status ktg_pockets_find(const ktg_page *page, ktg_area within,
+                                          ktg_pockets *pockets);
 void ktg_pockets_drop(ktg_pockets *pockets);
-/* A free rectangle of that size within a printer's reach, which is taken from now on; false when
- * there is none. */
-bool ktg_pockets_take(const ktg_page *page, ktg_pockets *pockets, double width, double height,
-                      ktg_area *area);
+/* A free rectangle of that size, which is taken from now on; false when there is none. */
+bool ktg_pockets_take(ktg_pockets *pockets, double width, double height, ktg_area *area);
+
+/* The same furniture, only the legend, or a picture of the model, in pockets. False when there was
+ * no room for all of it. */
+bool ktg_block_draw(const ktg_page *page, ktg_pockets *pockets);
+bool ktg_block_legend(const ktg_page *page, ktg_pockets *pockets);
+KTG_NODISCARD ktg_status ktg_block_solid(const ktg_page *page, ktg_pockets *pockets);
 
 /* The word of a stroke for the legend; `brief` leaves out what goes without saying. */
 const char *ktg_legend_word(ktg_stroke stroke, bool brief);
@@ -251,12 +254,16 @@ void ktg_column_write(ktg_column *at, ktg_face face, double digit_mm, double ind
                       const char *text);
 void ktg_column_skip(ktg_column *at, double mm);
 
-/* ---- tile.c, map.c, cover.c, names.c ------------------------------------------------------ */
+/* ---- tile.c, map.c, solid.c, cover.c, names.c
+ * ------------------------------------------------------ */
 
 #define KTG_NAME_SIZE 128
 
 /* What a piece is called: "body", or "body 2 of 3" where its part of the model has several. */
 void ktg_drawing_piece_name(const ktg_drawing *drawing, uint32_t piece, char name[KTG_NAME_SIZE]);
+
+/* Only "2 of 3"; "" where its part of the model has no other piece. */
+void ktg_drawing_piece_part(const ktg_drawing *drawing, uint32_t piece, char part[KTG_NAME_SIZE]);
 
 /* True when the sheet is part of a poster whose other sheets are known. */
 bool ktg_is_tile(const ktg_pattern_sheet *sheet);
@@ -278,6 +285,13 @@ void ktg_tile_draw_joins(const ktg_page *page);
 ktg_vec2 ktg_map_size(const ktg_drawing *drawing, uint32_t poster);
 void ktg_map_draw(const ktg_drawing *drawing, cairo_t *cairo, uint32_t poster, ktg_vec2 corner,
                   double scale);
+
+/* Whether a picture of the finished model helps: of paper, in several pieces, not of too many
+ * faces. */
+bool ktg_solid_is_wanted(const ktg_drawing *drawing);
+/* The model in a square, seen from the front, or from behind, a little from the right and above. */
+KTG_NODISCARD ktg_status ktg_solid_draw(const ktg_drawing *drawing, cairo_t *cairo, ktg_area area,
+                                        bool from_behind);
 
 /* How many pages with the maps of posters come first in a PDF, and one of them (from 0). */
 size_t ktg_cover_count(const ktg_drawing *drawing);

@@ -119,15 +119,34 @@ static void draw_left(const ktg_page *page, ktg_area printable) {
         ktg_ruler_draw(page->cairo, x, printable.y1, ktg_ruler_length(true) <= room, true);
 }
 
-ktg_status ktg_furniture_draw(const ktg_page *page, bool *complete) {
-    ktg_area printable = ktg_page_printable(page);
-    double least = KTG_PAPER_EDGE_MM + KTG_STRIP_MM - 1e-6;
-    bool strips = printable.y0 >= least && printable.x0 >= least &&
-                  page->sheet->height_mm - printable.y1 >= least;
-    if (!strips)
-        return ktg_block_draw(page, complete);
+/* Title, rulers and legend in the strips; false where the legend had no room. */
+static bool draw_strips(const ktg_page *page, ktg_area printable) {
     draw_title(page, printable);
     draw_left(page, printable);
-    *complete = draw_bottom(page, printable);
-    return *complete ? KTG_OK : ktg_block_legend(page, complete);
+    return draw_bottom(page, printable);
+}
+
+/* A picture of the model goes onto the last sheet, which has most room. */
+static bool wants_solid(const ktg_page *page) {
+    return page->number + 1 == page->drawing->pattern->sheet_count &&
+           ktg_solid_is_wanted(page->drawing);
+}
+
+ktg_status ktg_furniture_draw(const ktg_page *page, bool *complete) {
+    ktg_area printable = ktg_page_printable(page);
+    double edge = KTG_PAPER_EDGE_MM, least = edge + KTG_STRIP_MM - 1e-6;
+    ktg_area reach = {edge, edge, page->sheet->width_mm - edge, page->sheet->height_mm - edge};
+    bool strips = printable.y0 >= least && printable.x0 >= least &&
+                  page->sheet->height_mm - printable.y1 >= least;
+    *complete = strips && draw_strips(page, printable);
+    if (*complete && !wants_solid(page))
+        return KTG_OK;
+    ktg_pockets pockets;
+    ktg_status status = ktg_pockets_find(page, strips ? printable : reach, &pockets);
+    if (status == KTG_OK && !*complete)
+        *complete = strips ? ktg_block_legend(page, &pockets) : ktg_block_draw(page, &pockets);
+    if (status == KTG_OK && wants_solid(page))
+        status = ktg_block_solid(page, &pockets);
+    ktg_pockets_drop(&pockets);
+    return status;
 }

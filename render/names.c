@@ -3,23 +3,28 @@
 
 #include <stdio.h>
 
-void ktg_drawing_piece_name(const ktg_drawing *drawing, uint32_t piece, char name[KTG_NAME_SIZE]) {
+void ktg_drawing_piece_part(const ktg_drawing *drawing, uint32_t piece, char part[KTG_NAME_SIZE]) {
     const ktg_pattern *pattern = drawing->pattern;
-    const ktg_pattern_piece *p = &pattern->pieces[piece];
     unsigned count = 0, place = 0;
-    char clean[KTG_NAME_SIZE - 24];
     for (uint32_t i = 0; i < pattern->piece_count; i++)
-        if (pattern->pieces[i].component == p->component) {
+        if (pattern->pieces[i].component == pattern->pieces[piece].component) {
             count++;
             place += i <= piece;
         }
+    *part = 0;
+    if (count > 1)
+        snprintf(part, KTG_NAME_SIZE, "%u of %u", place, count);
+}
+
+void ktg_drawing_piece_name(const ktg_drawing *drawing, uint32_t piece, char name[KTG_NAME_SIZE]) {
+    const ktg_pattern_piece *p = &drawing->pattern->pieces[piece];
+    char clean[KTG_NAME_SIZE - 32], part[KTG_NAME_SIZE];
     ktg_text_clean(p->name ? p->name : "", SIZE_MAX, clean, sizeof clean);
+    ktg_drawing_piece_part(drawing, piece, part);
     if (!*clean)
         snprintf(name, KTG_NAME_SIZE, "piece %u", piece + 1);
-    else if (count > 1)
-        snprintf(name, KTG_NAME_SIZE, "%s %u of %u", clean, place, count);
     else
-        snprintf(name, KTG_NAME_SIZE, "%s", clean);
+        snprintf(name, KTG_NAME_SIZE, "%s%s%.30s", clean, *part ? " " : "", part);
 }
 
 bool ktg_is_tile(const ktg_pattern_sheet *sheet) {

@@ -10,6 +10,7 @@ void ktg_render_defaults(ktg_render_options *options) {
                                     .folds = KTG_FOLDS_DASHED,
                                     .flat_below = KTG_PI / 180,
                                     .dots_per_inch = 150,
+                                    .up = 1,
                                     .colour = true};
 }
 
@@ -79,6 +80,8 @@ static ktg_status check_options(ktg_context *context, const ktg_render_options *
                         "folds flatter than %g radians cannot be left out: the angle must not be "
                         "negative",
                         options->flat_below);
+    if (options->up > 2)
+        return ktg_fail(context, KTG_ARGUMENT, "there is no axis %u: 0, 1 or 2 is up", options->up);
     return KTG_OK;
 }
 

@@ -42,13 +42,14 @@ static void add_up(cairo_surface_t *surface, ktg_pockets *pockets) {
     }
 }
 
-ktg_status ktg_pockets_find(const ktg_page *page, ktg_pockets *pockets) {
+ktg_status ktg_pockets_find(const ktg_page *page, ktg_area within, ktg_pockets *pockets) {
     ktg_context *context = page->drawing->context;
     double longest = fmax(page->sheet->width_mm, page->sheet->height_mm);
     double scale = fmin(DOTS_PER_MM, MOST_DOTS / longest);
     *pockets = (ktg_pockets){.width = (int)ceil(page->sheet->width_mm * scale),
                              .height = (int)ceil(page->sheet->height_mm * scale),
-                             .scale = scale};
+                             .scale = scale,
+                             .within = within};
     pockets->sums =
         ktg_new(context, ((size_t)pockets->width + 1) * ((size_t)pockets->height + 1), uint32_t);
     if (!pockets->sums)
@@ -91,15 +92,13 @@ static bool is_free(const ktg_pockets *pockets, ktg_area area) {
     return true;
 }
 
-/* From the lower left corner of what a printer reaches to the right and up. */
-bool ktg_pockets_take(const ktg_page *page, ktg_pockets *pockets, double width, double height,
-                      ktg_area *area) {
-    double edge = KTG_PAPER_EDGE_MM;
-    double x1 = page->sheet->width_mm - edge - width, y1 = page->sheet->height_mm - edge - height;
+/* From the lower left corner to the right and up. */
+bool ktg_pockets_take(ktg_pockets *pockets, double width, double height, ktg_area *area) {
+    ktg_area within = pockets->within;
     if (pockets->taken_count == KTG_POCKETS)
         return false;
-    for (double y = y1; y >= edge - 1e-9; y -= STEP_MM)
-        for (double x = edge; x <= x1 + 1e-9; x += STEP_MM) {
+    for (double y = within.y1 - height; y >= within.y0 - 1e-9; y -= STEP_MM)
+        for (double x = within.x0; x + width <= within.x1 + 1e-9; x += STEP_MM) {
             *area = (ktg_area){x, y, x + width, y + height};
             if (!is_free(pockets, *area))
                 continue;

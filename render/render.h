@@ -19,6 +19,7 @@ typedef struct ktg_render_options {
     ktg_fold_style folds;
     double flat_below;    /* radians: folds flatter than this are not drawn; default 1 degree */
     double dots_per_inch; /* PNG; 150 */
+    unsigned up;          /* which axis of the model is height: 0 x, 1 y, 2 z; 1 */
     bool
         colour; /* mountain red, valley blue; the dashes tell them apart without it; default true */
 } ktg_render_options;

@@ -1,4 +1,5 @@
-/* Posters: tiles that are marked where they join, and the cover with their map. */
+/* What helps to put things together: marks where the tiles of a poster join, the cover with their
+ * map, a picture of the finished model. */
 #include "render/draw.h"
 
 #include <setjmp.h>
@@ -134,6 +135,68 @@ static void a_cover_with_the_maps_comes_first(void **state) {
     ktg_pattern_free(&pattern);
 }
 
+static void several_pieces_come_with_a_picture_on_the_last_sheet(void **state) {
+    ktg_context *context = *state;
+    ktg_pattern *pattern = make_strips(context, 2, 210, 297, 10, 40, 200);
+    picture first = take(context, pattern, 0), last = take(context, pattern, 1);
+    assert_false(picture_has_ink(&first, 10.5, 10.5, 199, 190));
+    assert_true(picture_has_ink(&last, 10.5, 10.5, 135, 75));
+    picture_drop(&first);
+    picture_drop(&last);
+    pattern->mode = KTG_CLOTH;
+    last = take(context, pattern, 1);
+    assert_false(picture_has_ink(&last, 10.5, 10.5, 199, 190));
+    picture_drop(&last);
+    ktg_pattern_free(&pattern);
+    pattern = make_strips(context, 1, 210, 297, 10, 40, 200);
+    last = take(context, pattern, 0);
+    assert_false(picture_has_ink(&last, 10.5, 10.5, 199, 190));
+    picture_drop(&last);
+    ktg_pattern_free(&pattern);
+}
+
+/* The strip of y = 0 .. 40 and z = 0, 10: what is up is higher in the picture. */
+static void the_picture_stands_upright(void **state) {
+    ktg_context *context = *state;
+    for (unsigned up = 0; up < 3; up++) {
+        ktg_pattern *pattern = make_strips(context, 2, 210, 297, 10, 40, 200);
+        for (uint32_t v = 0; v < pattern->vertex_count; v++) {
+            ktg_vec3 *p = &pattern->vertices[v]; /* a thin pole along the axis */
+            double along = v < 8 ? 100.0 * (v % 2) : 0;
+            *p = (ktg_vec3){v & 2, v & 4, (v ^ 3) & 2};
+            *(up == 0 ? &p->x : up == 1 ? &p->y : &p->z) = along;
+        }
+        ktg_render_options options;
+        ktg_drawing *drawing;
+        ktg_render_defaults(&options);
+        options.up = up;
+        assert_int_equal(ktg_drawing_new(context, pattern, &options, &drawing), KTG_OK);
+        cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 100, 100);
+        cairo_t *cairo = cairo_create(surface);
+        cairo_set_source_rgb(cairo, 1, 1, 1);
+        cairo_paint(cairo);
+        ktg_page_begin(cairo);
+        assert_int_equal(ktg_solid_draw(drawing, cairo, (ktg_area){0, 0, 100, 100}, false), KTG_OK);
+        cairo_destroy(cairo);
+        cairo_surface_flush(surface);
+        picture p = {surface, 100, 100, 1, 100};
+        assert_true(picture_has_ink(&p, 45, 2, 55, 8) && picture_has_ink(&p, 45, 92, 55, 98));
+        assert_false(picture_has_ink(&p, 0, 0, 30, 100) || picture_has_ink(&p, 70, 0, 100, 100));
+        picture_drop(&p);
+        ktg_drawing_free(&drawing);
+        ktg_pattern_free(&pattern);
+    }
+    ktg_pattern *pattern = make_strips(context, 1, 210, 297, 10, 40, 200);
+    ktg_render_options options;
+    char *bytes;
+    size_t size;
+    ktg_render_defaults(&options);
+    options.up = 3;
+    assert_int_equal(render_bytes(context, pattern, "pdf", 0, &options, &bytes, &size),
+                     KTG_ARGUMENT);
+    ktg_pattern_free(&pattern);
+}
+
 #define CASE(name) cmocka_unit_test_setup_teardown(name, make_context, drop_context)
 
 int main(void) {
@@ -141,6 +204,8 @@ int main(void) {
         CASE(a_tile_shows_its_printable_area_only),
         CASE(neighbours_join_where_the_crosses_meet),
         CASE(tiles_are_named_by_row_and_column),
+        CASE(several_pieces_come_with_a_picture_on_the_last_sheet),
+        CASE(the_picture_stands_upright),
         CASE(a_cover_with_the_maps_comes_first),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
