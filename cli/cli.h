@@ -37,6 +37,7 @@ typedef struct settings {
     const char *size_given; /* the option that said how large it becomes */
     char complaint[256];    /* why a value was refused, where its option knows more than its form */
     uint64_t seed;
+    uint32_t threads; /* 0: as many as the machine has */
     bool quiet, help;
 } settings;
 

@@ -327,6 +327,18 @@ static bool set_seed(settings *s, const char *text) {
     return parse_count(text, 0, UINT64_MAX, &s->seed);
 }
 
+static bool set_ease(settings *s, const char *text) {
+    return parse_number(text, 0, 10, &s->pipeline.unfold.ease);
+}
+
+static bool set_threads(settings *s, const char *text) {
+    uint64_t threads;
+    if (!parse_count(text, 1, 256, &threads))
+        return false;
+    s->threads = (uint32_t)threads;
+    return true;
+}
+
 static bool set_time(settings *s, const char *text) {
     return parse_number(text, 1e-3, 1e9, &s->pipeline.unfold.seconds);
 }
@@ -398,6 +410,8 @@ static const option_line lines[] = {
      "transplants, or the paper's genetic merging (auto)"},
     {"effort", 0, "quick|normal|best", CMD_UNFOLD, set_effort,
      "work spent on a compact net, so that the model gets larger (normal)"},
+    {"ease", 0, "WEIGHT", CMD_UNFOLD, set_ease,
+     "0 to 10: how much an easy assembly counts against size and tabs (0)"},
     {"method", 0, "two-step", CMD_FLATTEN, set_method_flatten, "how to flatten (two-step)"},
     {"population", 0, "N", CMD_UNFOLD, set_population, "chromosomes in a generation (32)"},
     {"generations", 0, "N", CMD_UNFOLD, set_generations, "at most this many (2000)"},
@@ -407,6 +421,8 @@ static const option_line lines[] = {
     {"restarts", 0, "N", CMD_UNFOLD, set_restarts,
      "fresh starts while there is more than one piece (20)"},
     {"seed", 0, "N", CMD_UNFOLD, set_seed, "another seed gives another net (1)"},
+    {"threads", 0, "N", CMD_UNFOLD, set_threads,
+     "processors to use at most (all); the net is the same for any number"},
     {"time", 0, "SECONDS", CMD_UNFOLD, set_time, "stop searching after that time"},
     {"black", 0, NULL, PAPER, set_black, "no colours"},
     {"dpi", 0, "N", PAPER, set_dpi, "resolution of PNG pictures (150)"},

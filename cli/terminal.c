@@ -114,6 +114,11 @@ static void catch_signals(void) {
     signal(SIGPIPE, SIG_IGN); /* a closed pipe is a failed write, told like any other */
 }
 
+static uint32_t processors(void) {
+    long count = sysconf(_SC_NPROCESSORS_ONLN);
+    return count > 0 && count <= 256 ? (uint32_t)count : 1;
+}
+
 ktg_context *cli_context(const settings *s) {
     ktg_context *context = NULL;
     if (ktg_context_new(&context) != KTG_OK) {
@@ -121,6 +126,7 @@ ktg_context *cli_context(const settings *s) {
         return NULL;
     }
     ktg_context_set_seed(context, s->seed);
+    ktg_context_set_threads(context, s->threads > 0 ? s->threads : processors());
     ktg_context_set_cancel(context, wish, NULL);
     if (!s->quiet)
         ktg_context_set_log(context, show_note, NULL);

@@ -26,6 +26,7 @@ ktg_status ktg_context_new(ktg_context **context) {
     if (!*context)
         return KTG_MEMORY;
     (*context)->seed = 1;
+    (*context)->threads = 1;
     return KTG_OK;
 }
 
@@ -57,6 +58,10 @@ void ktg_context_set_seed(ktg_context *context, uint64_t seed) {
 
 uint64_t ktg_context_seed(const ktg_context *context) {
     return context->seed;
+}
+
+void ktg_context_set_threads(ktg_context *context, uint32_t threads) {
+    context->threads = threads > 0 ? threads : 1;
 }
 
 const char *ktg_context_message(const ktg_context *context) {

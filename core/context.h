@@ -15,6 +15,7 @@ struct ktg_context {
     ktg_cancel_function *cancel;
     void *cancel_user;
     uint64_t seed;
+    uint32_t threads;            /* at least 1 */
     uint64_t allocation_to_fail; /* counts down; the allocation that reaches 0 fails */
 };
 

@@ -57,8 +57,8 @@ KTG_API const char *ktg_status_name(ktg_status status);
 
 /* ---- context ------------------------------------------------------------------------------ */
 
-/* Carries the last error's text, the callbacks and the seed. One context is used by one thread at a
- * time; several contexts are independent of each other. */
+/* Carries the last error's text, the callbacks, the seed and the number of threads. One context is
+ * used by one thread at a time; several contexts are independent of each other. */
 typedef struct ktg_context ktg_context;
 
 typedef enum ktg_log_level { KTG_LOG_NOTE, KTG_LOG_WARNING } ktg_log_level;
@@ -92,6 +92,10 @@ KTG_API void ktg_context_set_cancel(ktg_context *context, ktg_cancel_function *c
 
 /* The seed of every random choice. The same input, options and seed give the same bytes. */
 KTG_API void ktg_context_set_seed(ktg_context *context, uint64_t seed);
+
+/* How many threads a call may use, 1 at first (and for 0). The result is the same for any number;
+ * callbacks are called from the calling thread only. */
+KTG_API void ktg_context_set_threads(ktg_context *context, uint32_t threads);
 KTG_API uint64_t ktg_context_seed(const ktg_context *context);
 
 /* What the last failure said: one sentence; "" when nothing failed. Owned by the context, valid

@@ -8,6 +8,14 @@
 
 #define KTG_PI 3.14159265358979323846
 
+/* fmin and fmax as one instruction each: NaN is nobody's business here. */
+static inline double ktg_min(double a, double b) {
+    return a < b ? a : b;
+}
+static inline double ktg_max(double a, double b) {
+    return a > b ? a : b;
+}
+
 static inline ktg_vec2 ktg_add2(ktg_vec2 a, ktg_vec2 b) {
     return (ktg_vec2){a.x + b.x, a.y + b.y};
 }

@@ -48,6 +48,25 @@ ktg_status ktg_finish_shapes(ktg_context *context, const ktg_topology *topology,
     return ktg_outlines_with_tabs(context, topology, pattern);
 }
 
+static ktg_vec2 middle_of(const ktg_topology *t, uint32_t h) {
+    return ktg_mul2(ktg_add2(ktg_start_of(t, h), ktg_end_of(t, h)), 0.5);
+}
+
+static double mate_distance(const ktg_topology *t) {
+    double sum = 0, count = 0;
+    for (size_t e = 0; e < t->pattern->edge_count; e++) {
+        const ktg_pattern_edge *edge = &t->pattern->edges[e];
+        if (edge->kind != KTG_EDGE_CUT)
+            continue;
+        uint32_t h = ktg_side_halfedge(&edge->sides[0]), g = ktg_side_halfedge(&edge->sides[1]);
+        if (t->piece_of[h / 3] != t->piece_of[g / 3])
+            continue;
+        sum += ktg_length2(ktg_sub2(middle_of(t, h), middle_of(t, g)));
+        count++;
+    }
+    return count > 0 ? sum / count : 0;
+}
+
 static ktg_status finish(ktg_context *context, const ktg_topology *topology,
                          const ktg_finish_options *options, ktg_pattern *pattern,
                          ktg_finish_report *report) {
@@ -56,6 +75,7 @@ static ktg_status finish(ktg_context *context, const ktg_topology *topology,
     report->seams = (uint32_t)pattern->seam_count;
     for (size_t e = 0; e < pattern->edge_count; e++)
         report->seam_edges += pattern->edges[e].kind == KTG_EDGE_CUT;
+    report->mate_distance_mm = mate_distance(topology);
     return ktg_labels_write(context, topology, options, pattern);
 }
 

@@ -255,6 +255,8 @@ typedef struct ktg_finish_report {
     uint32_t seams;                              /* runs */
     uint32_t seam_edges;                         /* cut edges, short ones included */
     uint32_t tabs_full, tabs_reduced, tabs_none; /* of edges long enough to want one */
+    double mate_distance_mm; /* mean distance of the two copies of a cut edge, where both are in one
+                                piece: small ones are easy to glue */
 } ktg_finish_report;
 
 /* Seams, then tabs (paper) or the allowance and sewing lines (cloth), then outlines, then labels;

@@ -20,7 +20,7 @@ static double top_of(const ktg_trapezoid *t) {
 
 ktg_trapezoid ktg_trapezoid_wished(double length, double height, double cot, double inset) {
     ktg_trapezoid tab = {inset, length - inset, cot, cot, height};
-    tab.height = fmin(height, base_of(&tab) / (2 * cot));
+    tab.height = ktg_min(height, base_of(&tab) / (2 * cot));
     return tab;
 }
 
@@ -54,8 +54,8 @@ double ktg_trapezoid_value(const ktg_trapezoid *t, const ktg_tab_wish *wish) {
     double base = base_of(t);
     if (!(base > 0) || !(t->height > 0))
         return 0;
-    double high = fmin(1, t->height / wish->height);
-    double wide = fmin(1, base / (KTG_TAB_COVER_FULL * wish->length));
+    double high = ktg_min(1, t->height / wish->height);
+    double wide = ktg_min(1, base / (KTG_TAB_COVER_FULL * wish->length));
     double area = t->height * (base + top_of(t)) / (2 * wish->length * wish->height);
     double value = 0.4 * high * wide + 0.1 * area;
     if (!ktg_trapezoid_is_tab(t, wish))
@@ -125,7 +125,7 @@ bool ktg_trapezoid_meets(const ktg_trapezoid *t, const ktg_vec2 *obstacle, uint3
 static double distance_to_segment(ktg_vec2 p, ktg_vec2 a, ktg_vec2 b) {
     ktg_vec2 ab = ktg_sub2(b, a), ap = ktg_sub2(p, a);
     double length = ktg_dot2(ab, ab), s = length > 0 ? ktg_dot2(ap, ab) / length : 0;
-    return ktg_length2(ktg_madd2(ap, -fmax(0, fmin(1, s)), ab));
+    return ktg_length2(ktg_madd2(ap, -ktg_max(0, ktg_min(1, s)), ab));
 }
 
 /* The distance of the part to the trapezoid when no corner of either lies in the other. */
@@ -137,8 +137,8 @@ static double distance_outside(const ktg_trapezoid *t, const ktg_vec2 *part, uin
         for (uint32_t k = 0; k < count; k++) {
             ktg_vec2 a = corners[i], b = corners[i + 1 == own ? 0 : i + 1];
             ktg_vec2 p = part[k], q = part[k + 1 == count ? 0 : k + 1];
-            nearest = fmin(nearest, distance_to_segment(p, a, b));
-            nearest = fmin(nearest, distance_to_segment(a, p, q));
+            nearest = ktg_min(nearest, distance_to_segment(p, a, b));
+            nearest = ktg_min(nearest, distance_to_segment(a, p, q));
         }
     return nearest;
 }
@@ -206,7 +206,7 @@ static double leaning_cot(double left, const ktg_vec2 *part, uint32_t count, dou
         ktg_vec2 d = {v.x * along + v.y * clearance, v.y * along - v.x * clearance};
         if (!(d.y > 0))
             return INFINITY;
-        cot = fmax(cot, d.x / d.y);
+        cot = ktg_max(cot, d.x / d.y);
     }
     return cot;
 }
@@ -218,7 +218,7 @@ static ktg_trapezoid with_left_flank(const ktg_trapezoid *t, double cot, const k
     double aside = clearance * sqrt(1 + cot * cot);
     moved.left_cot = cot;
     for (uint32_t i = 0; i < count; i++)
-        moved.left = fmax(moved.left, part[i].x - cot * part[i].y + aside);
+        moved.left = ktg_max(moved.left, part[i].x - cot * part[i].y + aside);
     return moved;
 }
 
@@ -231,7 +231,7 @@ static void try_nearer(const ktg_trapezoid *t, const ktg_trapezoid *moved, const
     for (int k = 1; k < 4 && step > 0 && step < clearance; k++) {
         ktg_trapezoid nearer = *moved;
         nearer.left = t->left + k * step / 4;
-        nearer.height = fmin(t->height, base_of(&nearer) / (nearer.left_cot + nearer.right_cot));
+        nearer.height = ktg_min(t->height, base_of(&nearer) / (nearer.left_cot + nearer.right_cot));
         if (!is_clear(&nearer, part, count, clearance))
             continue;
         offer(best, best_value, nearer, wish, mirror);
@@ -265,13 +265,13 @@ static void try_all(const ktg_trapezoid *t, const ktg_tab_wish *wish, const ktg_
     double lowest = INFINITY;
     for (uint32_t i = 0; i < count; i++) {
         turned[i] = (ktg_vec2){-part[i].x, part[i].y};
-        lowest = fmin(lowest, part[i].y);
+        lowest = ktg_min(lowest, part[i].y);
     }
     try_left(t, wish, part, count, clearance, false, best, best_value);
     ktg_trapezoid mirror = mirrored(t);
     try_left(&mirror, wish, turned, count, clearance, true, best, best_value);
     ktg_trapezoid lower = *t;
-    lower.height = fmin(t->height, lowest - clearance);
+    lower.height = ktg_min(t->height, lowest - clearance);
     if (lower.height > 0)
         offer(best, best_value, lower, wish, false);
 }

@@ -66,6 +66,7 @@ ktg_status ktg_pipeline_write_report(ktg_context *context, const ktg_pipeline_op
                               {"tabs_full", r->finish.tabs_full},
                               {"tabs_reduced", r->finish.tabs_reduced},
                               {"tabs_none", r->finish.tabs_none},
+                              {"mate_distance_mm", r->finish.mate_distance_mm},
                               {"sheets", r->layout.sheets},
                               {"sheet_width_mm", r->sheet_mm.x},
                               {"sheet_height_mm", r->sheet_mm.y},

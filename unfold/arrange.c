@@ -1,257 +1,53 @@
-/* unfold/arrange.c - annealing pieces towards their sheets: phases. */
+/* unfold/arrange.c - annealing pieces towards their sheets: several starts, the best goes on. */
 #include "unfold/arrange.h"
 #include "core/memory.h"
+#include "core/parallel.h"
 #include "unfold/annealing.h"
-#include "unfold/net.h"
-#include "unfold/transplant.h"
 
-#include <stdio.h>
 #include <string.h>
 
-/* Temperatures and prices are in parts of what one average face costs at the edge of its sheet.
- * Chosen by measurement on closed/500; docs/unfold.md has the figures. */
-typedef struct phase {
-    bool soft;
-    int power;        /* of the spread */
-    double hot, cold; /* the temperature falls geometrically */
-    double tab_price; /* of a seam without a tab */
-    double share;     /* of the work */
-} phase;
+/* With enough work there are several starts, as many as get so much work for each face; then the
+ * better ones go on, and the best of those. */
+#define START_WORK 8000.0
+#define ROUNDS     3
+static const struct round {
+    uint32_t most; /* this many are in the round, at most; ... */
+    uint32_t of;   /* ... or one of so many starts */
+    double part;   /* of the work, for all of them */
+} rounds[ROUNDS] = {{12, 1, 0.5}, {3, 4, 0.25}, {1, 12, 0.25}};
 
-static const phase phases[] = {
-    {true, 4, 4, 0.15, 10, 0.25},     /* shapes for the sheet; overlaps are resolved after it */
-    {false, 4, 2, 0.63, 6, 0.15},     /* room for tabs */
-    {false, 8, 0.63, 0.2, 6, 0.15},   /* the same, what stands out moves in */
-    {false, 8, 1, 0.3, 6, 0.2},       /* again at the scale that was reached */
-    {false, 16, 1.0, 0.1, 10, 0.25}}; /* what stands out moves in, what lacks a tab gets one */
-#define PHASES (sizeof phases / sizeof *phases)
-
-/* From this phase on each begins with the scale that was reached, less a little: */
-#define FIRST_RESCALED 3
-#define SQUEEZE        0.99
-
-/* With enough work several starts are made, so many at most, each with at least so much work for a
- * face and all with this part of the whole; the best goes on. A missing tab weighs as much as this
- * part of the area. */
-#define MOST_STARTS  12
-#define START_WORK   8000.0
-#define STARTS_PART  0.5
+/* A missing tab weighs as much as this part of the area. */
 #define PRICE_POINTS 0.03
 
-/* An overlapping pair of faces costs this many temperatures at the beginning and at the end. */
-#define CONFLICT_FIRST 0.5
-#define CONFLICT_LAST  5.0
-
-/* While faces may overlap, those without a common vertex keep this part of a tab's height apart. */
-#define GAP 0.3
-
-/* Steps between two tidyings, and between two looks at the clock. */
-#define TIDY 65536
-#define LOOK 256
-
-/* Steps that may end without a new least number of overlaps when those left are taken away. */
-#define PATIENCE 20000
-
-/* ---- phases --------------------------------------------------------------------------------- */
-
-static uint32_t count_conflicts(const ktg_arrangement *a) {
-    uint32_t twice = 0;
-    for (uint32_t i = 0; i < a->dual->face_count; i++) {
-        ktg_branch face = {a->order[i], i, 1};
-        twice += ktg_graft_conflicts(a, &face, NULL, UINT32_MAX - 1);
-    }
-    return twice / 2;
-}
-
-/* Roots in the middle of their trees, and an end to rounding. */
-static ktg_status tidy(ktg_context *context, ktg_annealing *s, int power) {
-    ktg_branch all = {0, 0, s->a->dual->face_count};
-    ktg_arrangement_order(s->a);
-    KTG_TRY(ktg_arrangement_settle(context, s->a));
-    ktg_spread_recount(&s->spread, power);
-    s->conflicts = s->soft ? count_conflicts(s->a) : 0;
-    return s->tabs && !s->soft ? ktg_seam_tabs_lay(context, s->tabs, &all) : KTG_OK;
-}
-
-static void tell(ktg_context *context, ktg_annealing *s, double part) {
-    char detail[64];
-    if (s->soft)
-        snprintf(detail, sizeof detail, "finding a shape for the sheet");
-    else if (s->tabs)
-        snprintf(detail, sizeof detail, "%u seams want a better tab", s->tabs->unhappy_count);
-    else
-        snprintf(detail, sizeof detail, "filling the sheet");
-    ktg_search_progress(context, s->search, part * s->a->dual->face_count, detail);
-}
-
-static void set_temperature(ktg_annealing *s, const phase *p, double done) {
-    double unit = 1.0 / s->a->dual->face_count;
-    s->temperature = unit * p->hot * pow(p->cold / p->hot, done);
-    s->conflict_price = s->temperature * (CONFLICT_FIRST + (CONFLICT_LAST - CONFLICT_FIRST) * done);
-    s->tab_price = unit * p->tab_price;
-}
-
-static ktg_status run_phase(ktg_context *context, ktg_annealing *s, const phase *p) {
-    uint64_t begin = s->work, end = begin + (uint64_t)(p->share * s->budget);
-    s->soft = p->soft;
-    s->a->gap = s->soft && s->tabs ? GAP * s->wish.height : 0;
-    KTG_TRY(tidy(context, s, p->power));
-    for (uint64_t step = 1; s->work < end; step++) {
-        if (step % LOOK == 1) {
-            double done = (double)(s->work - begin) / (double)(end - begin);
-            set_temperature(s, p, done);
-            tell(context, s, (double)s->work / (double)s->goal->work);
-            if (!ktg_search_goes_on(context, s->search))
-                break;
-        }
-        if (step % TIDY == 0)
-            KTG_TRY(tidy(context, s, p->power));
-        KTG_TRY(ktg_annealing_step(context, s, step));
-    }
-    return KTG_OK;
-}
-
-/* ---- the whole ------------------------------------------------------------------------------ */
-
-static ktg_status start(ktg_context *context, ktg_annealing *s, const ktg_dual *dual,
-                        const bool *folded) {
-    uint32_t n = dual->face_count;
-    ktg_vec2 region = ktg_mul2(s->half, 1.4);
-    KTG_TRY(ktg_arrangement_new(context, dual, folded, region,
-                                n + dual->edge_count + dual->forced_count, &s->a));
-    KTG_TRY(ktg_spread_new(context, s->a, s->half, &s->spread));
-    KTG_TRY(ktg_spread_pose(context, s->a, &s->spread));
-    if (!s->goal->tabs)
-        return KTG_OK;
-    s->saved = (ktg_saved){.faces = ktg_new(context, n, uint32_t),
-                           .corners = ktg_new(context, 3 * (size_t)n, ktg_vec2),
-                           .turns = ktg_new(context, n, ktg_vec2)};
-    if (!s->saved.faces || !s->saved.corners || !s->saved.turns)
-        return KTG_MEMORY;
-    KTG_TRY(ktg_seam_tabs_new(context, s->a, &s->wish, &s->tabs));
-    return ktg_leaves_new(context, s->a, s->tabs, &s->leaves);
-}
-
-static void finish(ktg_annealing *s) {
-    ktg_leaves_free(&s->leaves);
-    ktg_seam_tabs_free(&s->tabs);
-    ktg_spread_free(&s->spread);
-    ktg_arrangement_free(&s->a);
-    ktg_free(s->saved.faces);
-    ktg_free(s->saved.corners);
-    ktg_free(s->saved.turns);
-    s->saved = (ktg_saved){0};
-}
-
-/* Takes the last overlaps of a single piece away by transplants, and turns it back to where it
- * lay. False when some are left. */
-static ktg_status resolve(ktg_context *context, ktg_annealing *s, const ktg_dual *dual,
-                          bool *folded, bool *resolved) {
-    ktg_net *net = NULL;
-    uint32_t root = 3 * s->a->order[0];
-    ktg_vec2 from = s->a->corners[root], to = s->a->corners[root + 1];
-    *resolved = false;
-    KTG_TRY(ktg_net_new(context, dual, s->a->folded, &net));
-    ktg_status status = ktg_transplant_run(context, net, PATIENCE, s->search);
-    if (status == KTG_OK)
-        status = ktg_net_refresh(context, net);
-    if (status == KTG_OK && net->live_count == 0) {
-        *resolved = true;
-        memcpy(folded, net->folded, dual->edge_count * sizeof *folded);
-    }
-    ktg_net_free(&net);
-    if (status != KTG_OK || !*resolved)
-        return status;
-    finish(s);
-    KTG_TRY(start(context, s, dual, folded));
-    return ktg_arrangement_move(
-        context, s->a, 0,
-        ktg_motion2_between(s->a->corners[root], s->a->corners[root + 1], from, to));
-}
-
-/* After faces were allowed to overlap: back to where that began, if they cannot be parted. */
-static ktg_status make_hard(ktg_context *context, ktg_annealing *s, const ktg_dual *dual,
-                            bool *folded) {
-    bool resolved = s->conflicts == 0;
-    s->a->gap = 0;
-    if (!resolved && s->a->piece_count == 1)
-        KTG_TRY(resolve(context, s, dual, folded, &resolved));
-    s->conflicts = 0;
-    if (resolved)
-        return KTG_OK;
-    finish(s);
-    return start(context, s, dual, folded);
-}
-
-/* The box around a piece and its tabs. */
-static ktg_flat_box box_of(const ktg_annealing *s, uint32_t piece) {
-    ktg_flat_box box = ktg_flat_box_empty();
-    for (uint32_t i = 0; i < s->a->cells.item_count; i++)
-        if (s->a->cells.sheet[i] == piece)
-            ktg_flat_box_add(&box, &s->a->cells.boxes[i]);
-    return box;
-}
-
-/* Moves every piece into the middle of its sheet; how much larger than the sheet the largest is. */
-static ktg_status centre(ktg_context *context, ktg_annealing *s, double *excess) {
-    *excess = 0;
-    for (uint32_t p = 0; p < s->a->piece_count; p++) {
-        ktg_flat_box box = box_of(s, p);
-        ktg_motion2 shift = {
-            1, 0, {-0.5 * ((double)box.x0 + box.x1), -0.5 * ((double)box.y0 + box.y1)}};
-        *excess = fmax(*excess, fmax((box.x1 - box.x0) / (2 * s->half.x),
-                                     (box.y1 - box.y0) / (2 * s->half.y)));
-        KTG_TRY(ktg_arrangement_move(context, s->a, p, shift));
-    }
-    return KTG_OK;
-}
-
-/* Where the scale is free: sheet and tabs as large as they are at the scale that was reached, but
- * for a little. */
-static ktg_status rescale(ktg_context *context, ktg_annealing *s) {
-    double excess;
-    KTG_TRY(centre(context, s, &excess));
-    if (s->goal->fixed)
-        return KTG_OK;
-    double by = excess * SQUEEZE;
-    s->half = ktg_mul2(s->half, by);
-    s->spread.per = (ktg_vec2){1 / s->half.x, 1 / s->half.y};
-    s->wish.height *= by;
-    s->wish.least *= by;
-    s->wish.edge *= by;
-    s->wish.inset *= by;
-    s->wish.air *= by;
-    s->wish.half = s->half;
-    return KTG_OK;
-}
-
-/* Phases first .. PHASES - 1 with the work of the budget. */
-static ktg_status run_phases(ktg_context *context, ktg_annealing *s, const ktg_dual *dual,
-                             size_t first, bool *folded) {
-    for (size_t k = first; k < PHASES; k++) {
-        if (k >= FIRST_RESCALED)
-            KTG_TRY(rescale(context, s));
-        if (s->tabs && !phases[k].soft && (k >= FIRST_RESCALED || phases[k - 1].soft))
-            KTG_TRY(ktg_seam_tabs_renew(context, s->tabs, &s->wish));
-        KTG_TRY(run_phase(context, s, &phases[k]));
-        if (phases[k].soft)
-            KTG_TRY(make_hard(context, s, dual, folded));
-    }
-    return KTG_OK;
-}
-
-/* ---- several starts ------------------------------------------------------------------------- */
+/* How much what is hard to glue weighs against area. */
+#define EASE_POINTS 0.3
 
 /* What a start has come to; `at` are the first two corners of face `anchor`, so that the net can
  * be laid where it lay. */
 typedef struct outcome {
-    bool *folded;
+    bool *folded; /* NULL: nothing yet */
     double score;
     ktg_vec2 half;
     ktg_seam_tab_wish wish;
     uint32_t anchor;
     ktg_vec2 at[2];
 } outcome;
+
+/* One start: whatever thread it runs on, it has its own random numbers, and finds the same. */
+typedef struct attempt {
+    ktg_search search;
+    outcome found;
+} attempt;
+
+typedef struct contest {
+    const ktg_dual *dual;
+    const ktg_arrange_goal *goal;
+    const bool *folded;
+    attempt *attempts; /* the better ones first, after each round */
+    uint32_t starts;
+    double budget;        /* of each in the present round */
+    uint64_t work_before; /* the rounds before */
+} contest;
 
 static void set_sheet(ktg_annealing *s, ktg_vec2 half, const ktg_seam_tab_wish *wish) {
     s->half = half;
@@ -260,90 +56,144 @@ static void set_sheet(ktg_annealing *s, ktg_vec2 half, const ktg_seam_tab_wish *
     s->wish.half = half;
 }
 
-/* Large models are good; missing tabs are not. */
+/* Large models are good; missing tabs and what is hard to glue are not. */
 static ktg_status score(ktg_context *context, ktg_annealing *s, double *points) {
     double excess;
-    KTG_TRY(centre(context, s, &excess));
+    KTG_TRY(ktg_annealing_centre(context, s, &excess));
     double size = s->goal->half.x / (s->half.x * excess);
-    *points = size * size - (s->tabs ? PRICE_POINTS * s->tabs->price : 0);
+    *points = size * size - (s->tabs ? PRICE_POINTS * s->tabs->price : 0) -
+              EASE_POINTS * ktg_ease_price(&s->ease);
     return KTG_OK;
 }
 
-static void keep_better(const ktg_annealing *s, double points, outcome *best) {
-    if (points <= best->score)
-        return;
+static ktg_status keep(ktg_context *context, const ktg_annealing *s, double points, outcome *best) {
     const ktg_arrangement *a = s->a;
-    best->score = points;
-    best->half = s->half;
-    best->wish = s->wish;
-    best->anchor = a->order[0];
-    memcpy(best->at, a->corners + 3 * (size_t)a->order[0], sizeof best->at);
-    memcpy(best->folded, a->folded, a->dual->edge_count * sizeof *best->folded);
-}
-
-/* A whole annealing with a part of the work; the better outcome stays in *best. */
-static ktg_status try_start(ktg_context *context, ktg_annealing *s, const ktg_dual *dual,
-                            bool *folded, outcome *best) {
-    double points;
-    set_sheet(s, s->goal->half, s->goal->tabs);
-    KTG_TRY(start(context, s, dual, folded));
-    KTG_TRY(run_phases(context, s, dual, 0, folded));
-    KTG_TRY(score(context, s, &points));
-    keep_better(s, points, best);
-    finish(s);
+    uint32_t edges = a->dual->edge_count;
+    bool *folded = ktg_copy_array(context, a->folded, edges, sizeof *folded);
+    if (!folded)
+        return KTG_MEMORY;
+    ktg_free(best->folded);
+    *best = (outcome){folded, points, s->half, s->wish, a->order[0], {{0, 0}}};
+    memcpy(best->at, a->corners + 3 * (size_t)best->anchor, sizeof best->at);
     return KTG_OK;
 }
 
-/* The best outcome goes on with what is left of the work. */
-static ktg_status polish(ktg_context *context, ktg_annealing *s, const ktg_dual *dual,
-                         outcome *best) {
-    double points, share = 0;
-    for (size_t k = FIRST_RESCALED; k < PHASES; k++)
-        share += phases[k].share;
-    if (s->work >= s->goal->work)
-        return KTG_OK;
-    s->budget = (double)(s->goal->work - s->work) / share;
-    set_sheet(s, best->half, &best->wish);
-    KTG_TRY(start(context, s, dual, best->folded));
-    const ktg_vec2 *now = s->a->corners + 3 * (size_t)best->anchor;
+/* ---- one attempt ---------------------------------------------------------------------------- */
+
+static ktg_status start(ktg_context *context, ktg_annealing *s, const contest *c, bool *folded,
+                        outcome *found) {
+    double points;
+    set_sheet(s, c->goal->half, c->goal->tabs);
+    KTG_TRY(ktg_annealing_open(context, s, c->dual, folded));
+    KTG_TRY(ktg_annealing_run(context, s, c->dual, false, folded));
+    KTG_TRY(score(context, s, &points));
+    return keep(context, s, points, found);
+}
+
+static ktg_status go_on(ktg_context *context, ktg_annealing *s, const contest *c, bool *folded,
+                        outcome *found) {
+    double points;
+    set_sheet(s, found->half, &found->wish);
+    KTG_TRY(ktg_annealing_open(context, s, c->dual, folded));
+    const ktg_vec2 *now = s->a->corners + 3 * (size_t)found->anchor;
     KTG_TRY(ktg_arrangement_move(context, s->a, 0,
-                                 ktg_motion2_between(now[0], now[1], best->at[0], best->at[1])));
+                                 ktg_motion2_between(now[0], now[1], found->at[0], found->at[1])));
     if (s->tabs)
         KTG_TRY(ktg_seam_tabs_renew(context, s->tabs, &s->wish));
-    KTG_TRY(run_phases(context, s, dual, FIRST_RESCALED, best->folded));
+    KTG_TRY(ktg_annealing_run(context, s, c->dual, true, folded));
     KTG_TRY(score(context, s, &points));
-    keep_better(s, points, best);
-    return KTG_OK;
+    return points > found->score ? keep(context, s, points, found) : KTG_OK;
 }
 
-static uint32_t starts_for(const ktg_annealing *s, const ktg_dual *dual) {
-    double each = START_WORK * dual->face_count;
-    double starts = STARTS_PART * (double)s->goal->work / each;
-    return s->goal->fixed || starts < 2 ? 1 : starts > MOST_STARTS ? MOST_STARTS : (uint32_t)starts;
-}
-
-static ktg_status anneal(ktg_context *context, ktg_annealing *s, const ktg_dual *dual,
-                         bool *folded) {
-    outcome best = {.folded = ktg_copy_array(context, folded, dual->edge_count, sizeof *folded),
-                    .score = -INFINITY};
-    uint32_t starts = starts_for(s, dual);
-    ktg_status status = best.folded ? KTG_OK : KTG_MEMORY;
-    s->budget = (double)s->goal->work * (starts > 1 ? STARTS_PART / starts : 1);
-    for (uint32_t k = 0; status == KTG_OK && k < starts; k++)
-        if (k == 0 || ktg_search_goes_on(context, s->search))
-            status = try_start(context, s, dual, folded, &best);
-    if (status == KTG_OK && starts > 1 && ktg_search_goes_on(context, s->search))
-        status = polish(context, s, dual, &best);
-    if (status == KTG_OK)
-        memcpy(folded, best.folded, dual->edge_count * sizeof *folded);
-    ktg_free(best.folded);
+/* The first start is made whatever happens: it ends at once where time is up. */
+static ktg_status try_attempt(ktg_context *context, uint32_t index, void *user) {
+    const contest *c = user;
+    attempt *own = &c->attempts[index];
+    const bool *from = own->found.folded ? own->found.folded : c->folded;
+    if ((index > 0 || own->found.folded) && !ktg_search_goes_on(context, &own->search))
+        return KTG_OK;
+    ktg_annealing s = {.goal = c->goal,
+                       .search = &own->search,
+                       .budget = c->budget,
+                       .work_before = c->work_before + (uint64_t)(index * c->budget)};
+    bool *folded = ktg_copy_array(context, from, c->dual->edge_count, sizeof *from);
+    ktg_status status = !folded             ? KTG_MEMORY
+                        : own->found.folded ? go_on(context, &s, c, folded, &own->found)
+                                            : start(context, &s, c, folded, &own->found);
+    ktg_annealing_close(&s);
+    ktg_free(folded);
     return status;
+}
+
+/* ---- rounds --------------------------------------------------------------------------------- */
+
+static uint32_t starts_for(const ktg_arrange_goal *goal, const ktg_dual *dual) {
+    double count = rounds[0].part * (double)goal->work / (START_WORK * dual->face_count);
+    return goal->fixed || count < 2 ? 1 : count > rounds[0].most ? rounds[0].most : (uint32_t)count;
+}
+
+/* Random numbers, limits and progress of their own for all. */
+static void prepare(contest *c, const ktg_search *search) {
+    ktg_random seeds = search->random;
+    for (uint32_t k = 0; k < c->starts; k++) {
+        c->attempts[k].search = *search;
+        ktg_random_seed(&c->attempts[k].search.random, ktg_random_next(&seeds));
+    }
+}
+
+/* What the attempts' searches have come to becomes the whole's. */
+static void gather(const contest *c, ktg_search *search) {
+    for (uint32_t k = 0; k < c->starts; k++) {
+        const ktg_search *own = &c->attempts[k].search;
+        search->told = own->told > search->told ? own->told : search->told;
+        if (own->report.stopped_by == KTG_STOPPED_TIME ||
+            own->report.stopped_by == KTG_STOPPED_INTERRUPT)
+            search->report.stopped_by = own->report.stopped_by;
+    }
+    ktg_random_seed(&search->random, ktg_random_next(&search->random));
+}
+
+static double score_of(const attempt *a) {
+    return a->found.folded ? a->found.score : -INFINITY;
+}
+
+/* The best to the front; equal ones stay in their order. */
+static void rank(attempt *attempts, uint32_t count) {
+    for (uint32_t i = 1; i < count; i++) {
+        attempt own = attempts[i];
+        uint32_t k = i;
+        for (; k > 0 && score_of(&attempts[k - 1]) < score_of(&own); k--)
+            attempts[k] = attempts[k - 1];
+        attempts[k] = own;
+    }
+}
+
+static ktg_status run_round(ktg_context *context, contest *c, const struct round *round) {
+    uint32_t count = c->starts / round->of;
+    count = count > round->most ? round->most : count > 0 ? count : 1;
+    double work = c->starts > 1 ? round->part * (double)c->goal->work : (double)c->goal->work;
+    c->budget = work / count;
+    KTG_TRY(ktg_parallel_run(context, count, try_attempt, c));
+    rank(c->attempts, count);
+    c->work_before += (uint64_t)work;
+    return KTG_OK;
 }
 
 ktg_status ktg_arrange(ktg_context *context, const ktg_dual *dual, const ktg_arrange_goal *goal,
                        ktg_search *search, bool *folded) {
-    ktg_annealing s = {.goal = goal, .search = search};
-    ktg_status status = anneal(context, &s, dual, folded);
-    finish(&s);
+    contest c = {.dual = dual, .goal = goal, .folded = folded, .starts = starts_for(goal, dual)};
+    ktg_status status = KTG_OK;
+    c.attempts = ktg_new(context, c.starts, attempt);
+    if (!c.attempts)
+        return KTG_MEMORY;
+    prepare(&c, search);
+    for (int k = 0; status == KTG_OK && k < (c.starts > 1 ? ROUNDS : 1); k++)
+        status = run_round(context, &c, &rounds[k]);
+    gather(&c, search);
+    if (status == KTG_OK)
+        memcpy(folded, c.attempts[0].found.folded, dual->edge_count * sizeof *folded);
+    for (uint32_t k = 0; k < c.starts; k++)
+        ktg_free(c.attempts[k].found.folded);
+    ktg_free(c.attempts);
     return status;
 }

@@ -14,6 +14,8 @@
 typedef struct ktg_arrange_goal {
     ktg_vec2 half; /* half of the printable area each piece should fit, in the dual's unit */
     const ktg_seam_tab_wish *tabs; /* NULL: none */
+    double ease;                   /* weight of how easy the net is to glue (ease.h); 0: none */
+    double short_edge;             /* what counts as short there */
     bool fixed;    /* the scale: sheet and tabs keep their size, instead of following what is
                       reached */
     uint64_t work; /* counted in faces looked at; about ten million a second */

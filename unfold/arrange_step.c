@@ -29,6 +29,16 @@ static bool overlaps_allow(ktg_annealing *s, const ktg_branch *branch, const ktg
     return true;
 }
 
+/* Adds what the graft changes in the distances of copies; false when that is too much. */
+static bool distances_allow(ktg_annealing *s, const ktg_branch *branch, const ktg_graft *graft,
+                            double allowed, double *change) {
+    if (!(s->ease.weight > 0))
+        return true;
+    s->work += branch->count;
+    *change += ktg_ease_distances(&s->ease, branch, graft);
+    return *change <= allowed;
+}
+
 /* Overlaps have a price; what tabs will cost is told by the cuts. */
 static ktg_status soft_step(ktg_context *context, ktg_annealing *s, ktg_branch *branch,
                             const ktg_graft *graft) {
@@ -36,7 +46,9 @@ static ktg_status soft_step(ktg_context *context, ktg_annealing *s, ktg_branch *
     double allowed = ktg_draw_allowance(&s->search->random, s->temperature), change = 0;
     if (s->tabs)
         allowed -= s->tab_price * ktg_leaves_exchange(&s->leaves, fold, graft->edge);
+    allowed -= ktg_ease_cuts(&s->ease, fold, graft->edge);
     if (!ktg_spread_allows(&s->spread, branch, graft, allowed, &change, &s->work) ||
+        !distances_allow(s, branch, graft, allowed, &change) ||
         !overlaps_allow(s, branch, graft, allowed - change)) {
         if (s->tabs)
             (void)ktg_leaves_exchange(&s->leaves, graft->edge, fold);
@@ -44,6 +56,7 @@ static ktg_status soft_step(ktg_context *context, ktg_annealing *s, ktg_branch *
     }
     KTG_TRY(ktg_arrangement_graft(context, s->a, branch, graft));
     ktg_spread_follow(&s->spread, branch);
+    ktg_ease_follow(&s->ease, fold, graft->edge);
     return KTG_OK;
 }
 
@@ -51,7 +64,10 @@ static ktg_status hard_step(ktg_context *context, ktg_annealing *s, ktg_branch *
                             const ktg_graft *graft) {
     double allowed = ktg_draw_allowance(&s->search->random, s->temperature), change = 0;
     double gain = s->tabs ? s->tab_price * s->tabs->tabs[graft->edge].price : 0;
+    uint32_t fold = s->a->parent_edge[branch->top];
+    allowed -= ktg_ease_cuts(&s->ease, fold, graft->edge);
     if (!ktg_spread_allows(&s->spread, branch, graft, allowed + gain, &change, &s->work) ||
+        !distances_allow(s, branch, graft, allowed + gain, &change) ||
         ktg_graft_conflicts(s->a, branch, graft, 0) > 0)
         return KTG_OK;
     bool done = true;
@@ -61,8 +77,10 @@ static ktg_status hard_step(ktg_context *context, ktg_annealing *s, ktg_branch *
                                     allowed - change, &done));
     else
         KTG_TRY(ktg_arrangement_graft(context, s->a, branch, graft));
-    if (done)
+    if (done) {
         ktg_spread_follow(&s->spread, branch);
+        ktg_ease_follow(&s->ease, fold, graft->edge);
+    }
     return KTG_OK;
 }
 

@@ -122,6 +122,12 @@ static double mean_diameter(const ktg_dual *dual) {
     return sum / dual->face_count;
 }
 
+ktg_status ktg_arrangement_cells(ktg_context *context, const ktg_arrangement *a,
+                                 uint32_t item_count, ktg_cells *cells) {
+    return ktg_cells_new(context, item_count, a->piece_count, a->half, mean_diameter(a->dual),
+                         cells);
+}
+
 static ktg_status lay_pieces(ktg_context *context, ktg_arrangement *a) {
     for (uint32_t f = 0; f < a->dual->face_count; f++) {
         if (a->parent_edge[f] != KTG_NONE)
@@ -137,24 +143,23 @@ static ktg_status lay_pieces(ktg_context *context, ktg_arrangement *a) {
     return KTG_OK;
 }
 
-static ktg_status fill(ktg_context *context, ktg_arrangement *a, ktg_vec2 half,
-                       uint32_t item_count) {
+static ktg_status fill(ktg_context *context, ktg_arrangement *a, ktg_vec2 half) {
     KTG_TRY(allocate(context, a));
     ktg_arrangement_order(a);
     ktg_arrangement_number(a);
-    KTG_TRY(ktg_cells_new(context, item_count, a->piece_count, half, mean_diameter(a->dual),
-                          &a->cells));
+    a->half = half;
+    KTG_TRY(ktg_arrangement_cells(context, a, a->dual->face_count, &a->cells));
     return lay_pieces(context, a);
 }
 
 ktg_status ktg_arrangement_new(ktg_context *context, const ktg_dual *dual, const bool *folded,
-                               ktg_vec2 half, uint32_t item_count, ktg_arrangement **arrangement) {
+                               ktg_vec2 half, ktg_arrangement **arrangement) {
     ktg_arrangement *a = *arrangement = ktg_new(context, 1, ktg_arrangement);
     if (!a)
         return KTG_MEMORY;
     a->dual = dual;
     a->folded = ktg_copy_array(context, folded, dual->edge_count, sizeof *folded);
-    ktg_status status = a->folded ? fill(context, a, half, item_count) : KTG_MEMORY;
+    ktg_status status = a->folded ? fill(context, a, half) : KTG_MEMORY;
     if (status != KTG_OK)
         ktg_arrangement_free(arrangement);
     return status;
@@ -170,12 +175,11 @@ void ktg_graft_motion(const ktg_arrangement *a, ktg_graft *graft) {
                                    a->corners[next_corner(other)], a->corners[other]);
 }
 
-/* True for the first of the cells of a range that an item lies in: where it counts. */
-static bool is_first(const ktg_arrangement *a, uint32_t item, const ktg_cell_range *range,
-                     uint32_t x, uint32_t y) {
+/* True for the first cell of a walk that an item lies in: where it counts. */
+static bool is_first(const ktg_arrangement *a, uint32_t item, const ktg_cell_walk *w) {
     ktg_cell_range own = a->cells.ranges[item];
-    return x == (own.x0 > range->x0 ? own.x0 : range->x0) &&
-           y == (own.y0 > range->y0 ? own.y0 : range->y0);
+    return w->x == (own.x0 > w->range.x0 ? own.x0 : w->range.x0) &&
+           w->y == (own.y0 > w->range.y0 ? own.y0 : w->range.y0);
 }
 
 static bool share_vertex(const ktg_dual *dual, uint32_t f, uint32_t g) {
@@ -206,20 +210,14 @@ static uint32_t face_conflicts(const ktg_arrangement *a, const ktg_branch *branc
     for (int k = 0; k < 3; k++)
         moved[k] = ktg_move2(*motion, a->corners[3 * (size_t)face + k]);
     ktg_flat_box box = ktg_flat_box_grown(ktg_flat_box_of(moved), a->gap);
-    ktg_cell_range r = ktg_cells_range(&a->cells, &box);
-    for (uint32_t y = r.y0; y <= r.y1; y++)
-        for (uint32_t x = r.x0; x <= r.x1; x++) {
-            const ktg_cell *cell = ktg_cells_at(&a->cells, sheet, x, y);
-            for (size_t i = 0; i < cell->count; i++) {
-                uint32_t g = cell->items[i];
-                if (g >= a->dual->face_count || !ktg_flat_boxes_meet(&box, &a->cells.boxes[g]) ||
-                    ktg_branch_holds(a, branch, g) || (most > 0 && !is_first(a, g, &r, x, y)))
-                    continue;
-                count += in_conflict(a, face, moved, g);
-                if (count > most)
-                    return count;
-            }
-        }
+    ktg_cell_walk walk = ktg_cells_walk(&a->cells, sheet, &box);
+    for (uint32_t g; (g = ktg_cells_next(&walk)) != KTG_NONE;) {
+        if (ktg_branch_holds(a, branch, g) || (most > 0 && !is_first(a, g, &walk)))
+            continue;
+        count += in_conflict(a, face, moved, g);
+        if (count > most)
+            break;
+    }
     return count;
 }
 

@@ -27,7 +27,8 @@ typedef struct ktg_arrangement {
     uint32_t *piece;       /* face_count */
     ktg_vec2 *corners;     /* 3 face_count: on the piece's sheet */
     ktg_vec2 *turn;        /* face_count: cosine and sine from the dual's flat face */
-    ktg_cells cells;       /* faces are items 0 .. face_count - 1; tabs may follow */
+    ktg_vec2 half;         /* half of the region that cells are made for */
+    ktg_cells cells;       /* of the faces */
     uint32_t *scratch;     /* 3 face_count */
     double gap; /* faces without a common vertex conflict when they are nearer than this; 0: when
                    they overlap */
@@ -55,11 +56,15 @@ typedef struct ktg_saved {
 
 /* The trees of `folded` (edge_count flags, a forest, copied), each laid flat on a sheet of its own
  * with its middle in the sheet's. Trees are pieces in the order of their lowest faces. half: half
- * of the region that cells are made for; item_count: cells have room for so many items. */
+ * of the region that cells are made for. */
 KTG_NODISCARD ktg_status ktg_arrangement_new(ktg_context *context, const ktg_dual *dual,
-                                             const bool *folded, ktg_vec2 half, uint32_t item_count,
+                                             const bool *folded, ktg_vec2 half,
                                              ktg_arrangement **arrangement);
 void ktg_arrangement_free(ktg_arrangement **arrangement);
+
+/* Empty cells like those of the faces, for other things on the same sheets. */
+KTG_NODISCARD ktg_status ktg_arrangement_cells(ktg_context *context, const ktg_arrangement *a,
+                                               uint32_t item_count, ktg_cells *cells);
 
 static inline uint32_t ktg_arrangement_across(const ktg_arrangement *a, uint32_t edge,
                                               uint32_t halfedge) {

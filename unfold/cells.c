@@ -55,7 +55,7 @@ ktg_cell_range ktg_cells_range(const ktg_cells *c, const ktg_flat_box *box) {
 
 static void forget(ktg_cell *cell, uint32_t item) {
     size_t i = 0;
-    while (cell->items[i] != item)
+    while (cell->items[i].item != item)
         i++;
     cell->items[i] = cell->items[--cell->count];
 }
@@ -83,10 +83,16 @@ ktg_status ktg_cells_put(ktg_context *context, ktg_cells *cells, uint32_t item, 
     for (uint32_t y = r.y0; y <= r.y1; y++)
         for (uint32_t x = r.x0; x <= r.x1; x++) {
             ktg_cell *cell = (ktg_cell *)ktg_cells_at(cells, sheet, x, y);
-            cell->items[cell->count++] = item;
+            cell->items[cell->count++] = (ktg_cell_item){*box, item};
         }
     cells->sheet[item] = sheet;
     cells->ranges[item] = r;
     cells->boxes[item] = *box;
     return KTG_OK;
+}
+
+void ktg_cells_add_boxes(const ktg_cells *cells, uint32_t sheet, ktg_flat_box *box) {
+    for (uint32_t i = 0; i < cells->item_count; i++)
+        if (cells->sheet[i] == sheet)
+            ktg_flat_box_add(box, &cells->boxes[i]);
 }

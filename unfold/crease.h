@@ -4,6 +4,10 @@
 
 #include "unfold/dual.h"
 
+/* Faces that turn by less are in one plane (radians): more than single precision makes of a plane,
+ * less than paper shows. */
+#define KTG_FLAT_FOLD 1e-3
+
 /* The signed turn between the outward normals of an edge's two faces; positive: a mountain. */
 double ktg_dual_angle(const ktg_dual *dual, const ktg_dual_edge *edge);
 

@@ -2,9 +2,7 @@
 #include "unfold/edges.h"
 #include "core/memory.h"
 #include "core/vec.h"
-
-/* Folds that turn by less are flat. */
-#define FLAT_FOLD 1e-6
+#include "unfold/crease.h"
 
 /* The unit normal of a face, from its two shorter edges: the product of short edges keeps its
  * direction in a needle. */
@@ -34,7 +32,7 @@ static ktg_edge_kind kind_of(const ktg_pattern_edge *edge, bool is_fold) {
         return KTG_EDGE_BORDER;
     if (!is_fold)
         return KTG_EDGE_CUT;
-    if (fabs(edge->angle) < FLAT_FOLD)
+    if (fabs(edge->angle) < KTG_FLAT_FOLD)
         return KTG_EDGE_FLAT;
     return edge->angle > 0 ? KTG_EDGE_MOUNTAIN : KTG_EDGE_VALLEY;
 }

@@ -34,13 +34,13 @@ double ktg_draw_allowance(ktg_random *random, double temperature) {
 ktg_status ktg_graft_with_tabs(ktg_context *context, ktg_seam_tabs *t, ktg_branch *branch,
                                const ktg_graft *graft, ktg_saved *saved, double tab_price,
                                double allowed, bool *done) {
-    double price = t->price;
+    double most = t->price + allowed / tab_price;
     ktg_seam_tabs_begin(t);
     KTG_TRY(ktg_seam_tabs_damage(context, t, branch, graft));
     ktg_branch_save(t->a, branch, saved);
     KTG_TRY(ktg_arrangement_graft(context, t->a, branch, graft));
-    KTG_TRY(ktg_seam_tabs_follow(context, t, branch, graft->edge, saved->fold));
-    *done = tab_price * (t->price - price) <= allowed;
+    KTG_TRY(ktg_seam_tabs_follow(context, t, branch, graft->edge, saved->fold, most));
+    *done = t->price <= most;
     if (*done)
         return KTG_OK;
     KTG_TRY(ktg_arrangement_ungraft(context, t->a, branch, saved));
@@ -54,12 +54,13 @@ ktg_status ktg_tab_step(ktg_context *context, ktg_seam_tabs *t, ktg_random *rand
     if (t->unhappy_count == 0)
         return KTG_OK;
     uint32_t e = t->unhappy[ktg_random_below(random, t->unhappy_count)];
-    double price = t->price, allowed = ktg_draw_allowance(random, temperature);
+    double most = t->price + ktg_draw_allowance(random, temperature) / tab_price;
     size_t way = ktg_random_below(random, 4);
     ktg_seam_tabs_begin(t);
     if (way == 3)
         KTG_TRY(ktg_seam_tabs_choose(context, t, e));
     else
-        KTG_TRY(ktg_seam_tabs_push(context, t, e, (int)ktg_random_below(random, 2), parts[way]));
-    return tab_price * (t->price - price) > allowed ? ktg_seam_tabs_undo(context, t) : KTG_OK;
+        KTG_TRY(
+            ktg_seam_tabs_push(context, t, e, (int)ktg_random_below(random, 2), parts[way], most));
+    return t->price > most ? ktg_seam_tabs_undo(context, t) : KTG_OK;
 }

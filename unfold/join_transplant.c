@@ -76,6 +76,8 @@ static ktg_status make_compact(ktg_context *context, ktg_net *net,
     double part = options->mm_per_unit > 0 ? 1 : ktg_dual_area(dual) / search->area_all;
     ktg_arrange_goal goal = {.half = ktg_goal_half(options, search->mm, part),
                              .tabs = ktg_goal_tabs(options, search->mm, &wish) ? &wish : NULL,
+                             .ease = options->ease,
+                             .short_edge = options->finish.tab_edge_mm / search->mm,
                              .fixed = options->mm_per_unit > 0,
                              .work = work_for(dual, options, search)};
     if (dual->edge_count == 0)

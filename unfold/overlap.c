@@ -1,7 +1,6 @@
 /* unfold/overlap.c - the overlap of two flat triangles, by separating axes. */
 #include "unfold/overlap.h"
-
-#include <math.h>
+#include "core/vec.h"
 
 /* One step outwards for a float made from a double. */
 static float down(double x) {
@@ -19,16 +18,18 @@ ktg_flat_box ktg_flat_box_around(ktg_vec2 low, ktg_vec2 high) {
 }
 
 ktg_flat_box ktg_flat_box_of(const ktg_vec2 c[3]) {
-    double x0 = fmin(c[0].x, fmin(c[1].x, c[2].x)), x1 = fmax(c[0].x, fmax(c[1].x, c[2].x));
-    double y0 = fmin(c[0].y, fmin(c[1].y, c[2].y)), y1 = fmax(c[0].y, fmax(c[1].y, c[2].y));
+    double x0 = ktg_min(c[0].x, ktg_min(c[1].x, c[2].x)),
+           x1 = ktg_max(c[0].x, ktg_max(c[1].x, c[2].x));
+    double y0 = ktg_min(c[0].y, ktg_min(c[1].y, c[2].y)),
+           y1 = ktg_max(c[0].y, ktg_max(c[1].y, c[2].y));
     return (ktg_flat_box){down(x0), down(y0), up(x1), up(y1)};
 }
 
 void ktg_flat_box_add(ktg_flat_box *box, const ktg_flat_box *other) {
-    box->x0 = fminf(box->x0, other->x0);
-    box->y0 = fminf(box->y0, other->y0);
-    box->x1 = fmaxf(box->x1, other->x1);
-    box->y1 = fmaxf(box->y1, other->y1);
+    box->x0 = other->x0 < box->x0 ? other->x0 : box->x0;
+    box->y0 = other->y0 < box->y0 ? other->y0 : box->y0;
+    box->x1 = other->x1 > box->x1 ? other->x1 : box->x1;
+    box->y1 = other->y1 > box->y1 ? other->y1 : box->y1;
 }
 
 ktg_flat_box ktg_flat_box_empty(void) {

@@ -10,6 +10,7 @@
 
 #include "pattern/tab_room.h"
 #include "unfold/arrangement.h"
+#include "unfold/flats.h"
 
 /* What tabs are wished for, in the arrangement's unit. */
 typedef struct ktg_seam_tab_wish {
@@ -42,6 +43,8 @@ typedef struct ktg_tab_slot_shape {
 typedef struct ktg_seam_tabs {
     ktg_arrangement *a;
     ktg_seam_tab_wish wish;
+    ktg_flats flats;
+    ktg_cells cells;           /* of the tabs, by their edges */
     uint32_t edge_count;       /* the dual's edges and its forced cuts */
     uint32_t *edge_of;         /* 3 face_count: edge of a half-edge, KTG_NONE: no seam for tabs */
     ktg_tab_slot_shape *slots; /* 3 face_count: by the half-edge that carries */
@@ -61,8 +64,12 @@ typedef struct ktg_seam_tabs {
     size_t damaged_count, damaged_capacity;
 } ktg_seam_tabs;
 
-/* Slots are known, but there are no tabs yet: ktg_seam_tabs_renew gives them. The arrangement's
- * cells must have room for face_count + edge_count + forced_count items. */
+/* The face that an edge's tab stands on; it must have one. */
+static inline uint32_t ktg_seam_carrier(const ktg_seam_tabs *t, uint32_t e) {
+    return t->a->dual->edges[e].halfedge[t->tabs[e].side] / 3;
+}
+
+/* Slots are known, but there are no tabs yet: ktg_seam_tabs_renew gives them. */
 KTG_NODISCARD ktg_status ktg_seam_tabs_new(ktg_context *context, ktg_arrangement *a,
                                            const ktg_seam_tab_wish *wish, ktg_seam_tabs **tabs);
 void ktg_seam_tabs_free(ktg_seam_tabs **tabs);
@@ -78,14 +85,15 @@ void ktg_seam_tabs_begin(ktg_seam_tabs *t);
 KTG_NODISCARD ktg_status ktg_seam_tabs_damage(ktg_context *context, ktg_seam_tabs *t,
                                               const ktg_branch *branch, const ktg_graft *graft);
 /* After the branch has been grafted (it lies there now): its tabs follow it; `joined` loses its
- * tab, `cut` wants one; what is damaged is found anew. t->price is what it costs then. */
+ * tab, `cut` wants one; what is damaged is found anew. t->price is what it costs then; once that
+ * must be more than `most`, the attempt is given up half-way and has to be taken back. */
 KTG_NODISCARD ktg_status ktg_seam_tabs_follow(ktg_context *context, ktg_seam_tabs *t,
                                               const ktg_branch *branch, uint32_t joined,
-                                              uint32_t cut);
+                                              uint32_t cut, double most);
 /* Finds a tab for the edge on that side, at most `part` of the full height, as if there were no
- * other tabs; those in its way are found anew around it. */
+ * other tabs; those in its way are found anew around it. `most` as above. */
 KTG_NODISCARD ktg_status ktg_seam_tabs_push(ktg_context *context, ktg_seam_tabs *t, uint32_t edge,
-                                            int side, double part);
+                                            int side, double part, double most);
 /* The best tab of the edge beside all others. */
 KTG_NODISCARD ktg_status ktg_seam_tabs_choose(ktg_context *context, ktg_seam_tabs *t,
                                               uint32_t edge);

@@ -8,9 +8,6 @@
 
 #include <string.h>
 
-/* Folds that turn by less are flat, as unfold/edges.c has it. */
-#define FLAT_FOLD 1e-6
-
 void ktg_sheet_check_free(ktg_sheet_check *check) {
     ktg_free(check->piece);
     ktg_free(check->magnification);
@@ -41,7 +38,7 @@ static void add_edges(const ktg_dual *dual, const bool *joined, const ktg_sheet_
         edge->side_count = 2;
         edge->angle = ktg_dual_angle(dual, from);
         edge->kind = e >= dual->edge_count || !joined[e] ? KTG_EDGE_CUT
-                     : fabs(edge->angle) < FLAT_FOLD     ? KTG_EDGE_FLAT
+                     : fabs(edge->angle) < KTG_FLAT_FOLD ? KTG_EDGE_FLAT
                      : edge->angle > 0                   ? KTG_EDGE_MOUNTAIN
                                                          : KTG_EDGE_VALLEY;
         for (int s = 0; s < 2; s++) {

@@ -2,6 +2,7 @@
 #include "unfold/sheet_fill.h"
 #include "core/memory.h"
 #include "unfold/crease.h"
+#include "unfold/ease.h"
 #include "unfold/goal.h"
 #include "unfold/graft_step.h"
 #include "unfold/sheet_check.h"
@@ -19,6 +20,9 @@
 #define CUT_PRICE    0.04
 #define TINY_PRICE   4.0
 #define FACE_PRICE   0.5
+
+/* Weight of what is hard to glue, for a weight of 1 in the options and each face. */
+#define EASE 0.25
 
 /* Pieces below this part of the mean area count as tiny. */
 #define TINY 0.5
@@ -55,6 +59,7 @@ typedef struct filling {
     ktg_arrangement *a;
     ktg_sheet_room room;
     ktg_seam_tabs *tabs; /* NULL in the first phase */
+    ktg_ease ease;
     ktg_saved saved;
     double *area;       /* face_count */
     double *border;     /* edge_count: price as a border between pieces */
@@ -134,8 +139,10 @@ static void count_over(filling *s, const ktg_branch *branch, uint32_t from, uint
 static ktg_status graft_step(ktg_context *context, filling *s, ktg_branch *branch,
                              const ktg_graft *graft) {
     uint32_t from = s->a->piece[branch->top], to = s->a->piece[graft->other / 3];
+    uint32_t fold = s->a->parent_edge[branch->top];
     double allowed = ktg_draw_allowance(&s->search->random, s->temperature) -
-                     shape_change(s, branch, graft),
+                     shape_change(s, branch, graft) - ktg_ease_cuts(&s->ease, fold, graft->edge) -
+                     ktg_ease_distances(&s->ease, branch, graft),
            change = 0;
     double gain = s->tabs ? s->tab_price * s->tabs->tabs[graft->edge].price : 0;
     bool done = true;
@@ -151,6 +158,7 @@ static ktg_status graft_step(ktg_context *context, filling *s, ktg_branch *branc
     if (!done)
         return KTG_OK;
     ktg_sheet_room_follow(&s->room, branch);
+    ktg_ease_follow(&s->ease, fold, graft->edge);
     if (from != to)
         count_over(s, branch, from, to);
     return KTG_OK;
@@ -309,10 +317,11 @@ static ktg_status measure_pieces(ktg_context *context, filling *s) {
 static ktg_status start(ktg_context *context, filling *s, const bool *folded) {
     uint32_t n = s->dual->face_count;
     s->wants_tabs = ktg_goal_tabs(s->options, s->fill->mm, &s->wish);
-    KTG_TRY(ktg_arrangement_new(context, s->dual, folded, ktg_mul2(s->fill->half, 1.4),
-                                n + s->dual->edge_count + s->dual->forced_count, &s->a));
+    KTG_TRY(ktg_arrangement_new(context, s->dual, folded, ktg_mul2(s->fill->half, 1.4), &s->a));
     KTG_TRY(ktg_sheet_room_new(context, s->a, s->fill->half,
                                s->wants_tabs ? MARGIN * s->wish.height : 0, &s->room));
+    KTG_TRY(ktg_ease_new(context, s->a, EASE * n * s->options->ease, s->fill->half,
+                         s->options->finish.tab_edge_mm / s->fill->mm, &s->ease));
     KTG_TRY(price_edges(context, s));
     KTG_TRY(measure_pieces(context, s));
     s->saved = (ktg_saved){.faces = ktg_new(context, n, uint32_t),
@@ -326,6 +335,7 @@ static ktg_status start(ktg_context *context, filling *s, const bool *folded) {
 static void finish(filling *s) {
     ktg_seam_tabs_free(&s->tabs);
     ktg_sheet_room_free(&s->room);
+    ktg_ease_free(&s->ease);
     ktg_arrangement_free(&s->a);
     ktg_free(s->area);
     ktg_free(s->border);

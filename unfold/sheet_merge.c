@@ -50,8 +50,7 @@ static ktg_status merge_once(ktg_context *context, const ktg_dual *dual, uint32_
     ktg_arrangement *a = NULL;
     double reach = sqrt(dual->face_count) * dual->edges[0].length;
     *edge = KTG_NONE;
-    KTG_TRY(
-        ktg_arrangement_new(context, dual, folded, (ktg_vec2){reach, reach}, dual->face_count, &a));
+    KTG_TRY(ktg_arrangement_new(context, dual, folded, (ktg_vec2){reach, reach}, &a));
     tree_size *trees = ktg_new(context, a->piece_count, tree_size);
     if (trees && a->piece_count > count) {
         list_trees(a, trees);

@@ -18,8 +18,9 @@ double ktg_dual_area(const ktg_dual *dual) {
 }
 
 static double raised(double x, int power) {
-    double x2 = x * x, x4 = x2 * x2, x8 = x4 * x4;
-    return power == 4 ? x4 : power == 8 ? x8 : x8 * x8;
+    for (x *= x, power /= 2; power > 1; power /= 2)
+        x *= x;
+    return x;
 }
 
 /* A face costs its area times the distances of its corner that is furthest out, along x and along

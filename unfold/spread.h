@@ -12,7 +12,7 @@
 typedef struct ktg_spread {
     const ktg_arrangement *a;
     ktg_vec2 per; /* 1 / a, 1 / b */
-    int power;    /* 4, 8 or 16 */
+    int power;    /* of two, at least 2 */
     double *area; /* face_count: over the area of all */
     double *cost; /* face_count: what each face costs where it lies */
     double total;

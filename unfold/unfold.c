@@ -40,6 +40,8 @@ static ktg_status check_options(ktg_context *context, const ktg_unfold_options *
     if (!(o->sheet.width_mm - margins > 1) || !(o->sheet.height_mm - margins > 1))
         return ktg_fail(context, KTG_ARGUMENT, "margins of %g mm leave nothing of a sheet",
                         o->sheet.margin_mm);
+    if (!(o->ease >= 0 && o->ease <= 10))
+        return ktg_fail(context, KTG_ARGUMENT, "ease of assembly weighs 0 to 10, not %g", o->ease);
     if (!(o->mm_per_unit >= 0) || !isfinite(o->mm_per_unit))
         return ktg_fail(context, KTG_ARGUMENT, "a scale of %g mm for a unit", o->mm_per_unit);
     if (!(o->seconds >= 0))

@@ -47,6 +47,9 @@ typedef struct ktg_unfold_options {
     ktg_effort effort;         /* normal */
     ktg_sheet_format sheet;    /* what a piece should fill; A4 */
     ktg_finish_options finish; /* the tabs it should have room for; those of ktg_finish_defaults */
+    double ease; /* 0..10: how much it counts that a net is easy to glue, against size and tabs: the
+                    two copies of a cut edge lie near each other, seams are few and long, nothing
+                    hangs by a short edge; 0 (not at all) */
     double mm_per_unit; /* the scale; 0: as large as the sheet allows, which is found out later */
     ktg_oversize oversize; /* with a scale: split */
     uint32_t pieces;       /* each part becomes so many; 0: as few as possible */

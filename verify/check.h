@@ -13,7 +13,8 @@
 #define KTG_VERIFY_TEXT   2048  /* bytes of that message */
 #define KTG_VERIFY_LENGTH 1e-9  /* relative, of lengths and areas */
 #define KTG_VERIFY_REFOLD 1e-6  /* of the diagonal */
-#define KTG_VERIFY_FLAT   1e-6  /* radians */
+#define KTG_VERIFY_FLAT   1e-3  /* radians: folds that turn by less are called flat */
+#define KTG_VERIFY_ANGLE  1e-6  /* radians, of an angle that is told */
 #define KTG_VERIFY_TOUCH  1e-6  /* mm: points that should be the same, or inside */
 #define KTG_VERIFY_DEPTH  1e-3  /* mm: deeper is an overlap */
 #define KTG_VERIFY_EASE   0.005 /* cloth: of the two sides of a seam */

@@ -82,8 +82,8 @@ static double angle_noise(const ktg_check *check, uint32_t h, uint32_t m) {
 
 static void check_fold_kind(ktg_check *check, uint32_t i, double angle, double noise) {
     ktg_edge_kind kind = check->pattern->edges[i].kind;
-    double slack = 0.1 * KTG_VERIFY_FLAT + noise;
-    bool either = fabs(angle) >= KTG_PI - KTG_VERIFY_FLAT - noise; /* folded back: no sign */
+    double slack = KTG_VERIFY_ANGLE + noise;
+    bool either = fabs(angle) >= KTG_PI - KTG_VERIFY_ANGLE - noise; /* folded back: no sign */
     bool flat = fabs(angle) <= KTG_VERIFY_FLAT + slack;
     bool mountain = either || angle >= KTG_VERIFY_FLAT - slack;
     bool valley = either || angle <= slack - KTG_VERIFY_FLAT;
@@ -99,7 +99,7 @@ static void check_fold_kind(ktg_check *check, uint32_t i, double angle, double n
 static void check_angle(ktg_check *check, uint32_t i, double angle, double noise) {
     double stated = check->pattern->edges[i].angle;
     double wrong = fabs(remainder(stated - angle, 2 * KTG_PI));
-    if (!(wrong <= KTG_VERIFY_FLAT + noise))
+    if (!(wrong <= KTG_VERIFY_ANGLE + noise))
         ktg_check_problem(check, "Edge %u is said to turn by %.9g degrees, but it turns by %.9g.",
                           i + 1, stated * 180 / KTG_PI, angle * 180 / KTG_PI);
 }

@@ -21,7 +21,7 @@ ROOMS = {
 }
 # core's toolbox: shared between rooms beside its public header
 TOOLBOX = {"core/" + name for name in
-           ("clock.h", "file.h", "guard.hpp", "memory.h", "predicate.h", "random.h", "sparse.h", "vec.h")}
+           ("clock.h", "file.h", "guard.hpp", "memory.h", "parallel.h", "predicate.h", "random.h", "sparse.h", "vec.h")}
 # and the shape of tabs, which the search places too
 TOOLBOX.add("pattern/tab_room.h")
 LIBRARIES = {"cairo": {"render"}, "fontconfig": {"render"}, "CGAL": {"core", "mesh"}, "OpenMesh": {"mesh"},

@@ -222,7 +222,7 @@ static bool try_across(net *n, ktg_pattern_piece *piece, uint32_t h) {
         return false;
     piece->vertex_count++;
     add_face(n, piece, f, corners);
-    edge->kind = fabs(edge->angle) < 1e-6 ? KTG_EDGE_FLAT
+    edge->kind = fabs(edge->angle) < 1e-3 ? KTG_EDGE_FLAT
                  : edge->angle > 0        ? KTG_EDGE_MOUNTAIN
                                           : KTG_EDGE_VALLEY;
     return true;

@@ -260,7 +260,7 @@ static void assert_edge(const ktg_pattern *p, const place *places, const ktg_pat
                    copy_of(p, places, edge->sides[1].face, edge->vertices[i]);
     assert_true(together == (edge->kind != KTG_EDGE_CUT));
     if (edge->kind == KTG_EDGE_FLAT)
-        assert_true(fabs(edge->angle) < 1e-6);
+        assert_true(fabs(edge->angle) < 1e-3);
     else if (edge->kind != KTG_EDGE_CUT)
         assert_int_equal(edge->kind, edge->angle > 0 ? KTG_EDGE_MOUNTAIN : KTG_EDGE_VALLEY);
 }

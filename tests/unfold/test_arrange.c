@@ -3,6 +3,7 @@
 #include "core/random.h"
 #include "tests/unfold/help.h"
 #include "unfold/arrange.h"
+#include "unfold/ease.h"
 #include "unfold/leaves.h"
 #include "unfold/net.h"
 #include "unfold/spread.h"
@@ -32,9 +33,7 @@ static fixture start(ktg_context *context, ktg_mesh *mesh) {
     assert_int_equal(net->live_count, 0);
     memcpy(f.tree, net->folded, f.dual->edge_count * sizeof *f.tree);
     ktg_net_free(&net);
-    assert_int_equal(ktg_arrangement_new(context, f.dual, f.tree, (ktg_vec2){2, 2},
-                                         f.dual->face_count + f.dual->edge_count, &f.a),
-                     KTG_OK);
+    assert_int_equal(ktg_arrangement_new(context, f.dual, f.tree, (ktg_vec2){2, 2}, &f.a), KTG_OK);
     return f;
 }
 
@@ -142,9 +141,7 @@ static void branches_go_over_to_another_piece(void **state) {
             break;
         }
     ktg_arrangement_free(&f.a);
-    assert_int_equal(ktg_arrangement_new(*state, f.dual, f.tree, (ktg_vec2){2, 2},
-                                         f.dual->face_count + f.dual->edge_count, &f.a),
-                     KTG_OK);
+    assert_int_equal(ktg_arrangement_new(*state, f.dual, f.tree, (ktg_vec2){2, 2}, &f.a), KTG_OK);
     assert_int_equal(f.a->piece_count, 2);
     for (int i = 0; i < 20000 && over < 20; i++) {
         ktg_branch branch;
@@ -208,7 +205,7 @@ static void attempt(ktg_context *context, fixture *f, ktg_seam_tabs *t, ktg_save
     ktg_seam_tabs_begin(t);
     if (t->unhappy_count > 0 && ktg_random_below(&f->search.random, 4) == 0) {
         uint32_t e = t->unhappy[ktg_random_below(&f->search.random, t->unhappy_count)];
-        assert_int_equal(ktg_seam_tabs_push(context, t, e, undo, 1), KTG_OK);
+        assert_int_equal(ktg_seam_tabs_push(context, t, e, undo, 1, INFINITY), KTG_OK);
         if (undo)
             assert_int_equal(ktg_seam_tabs_undo(context, t), KTG_OK);
         return;
@@ -219,7 +216,8 @@ static void attempt(ktg_context *context, fixture *f, ktg_seam_tabs *t, ktg_save
     assert_int_equal(ktg_seam_tabs_damage(context, t, &branch, &graft), KTG_OK);
     ktg_branch_save(f->a, &branch, saved);
     assert_int_equal(ktg_arrangement_graft(context, f->a, &branch, &graft), KTG_OK);
-    assert_int_equal(ktg_seam_tabs_follow(context, t, &branch, graft.edge, saved->fold), KTG_OK);
+    assert_int_equal(ktg_seam_tabs_follow(context, t, &branch, graft.edge, saved->fold, INFINITY),
+                     KTG_OK);
     if (!undo)
         return;
     assert_int_equal(ktg_arrangement_ungraft(context, f->a, &branch, saved), KTG_OK);
@@ -277,12 +275,89 @@ static void leaves_are_counted_as_cuts_change(void **state) {
     drop(&f);
 }
 
+/* What changes are said to cost adds up to what the whole costs in the end. */
+static void ease_is_counted_as_branches_move(void **state) {
+    fixture f = start(*state, shape_bumpy_sphere(*state));
+    ktg_ease ease, anew;
+    uint32_t done = 0;
+    assert_int_equal(ktg_ease_new(*state, f.a, 2, (ktg_vec2){1, 1.5}, 0.2, &ease), KTG_OK);
+    double price = ktg_ease_price(&ease), before = price;
+    for (int i = 0; i < 20000 && done < 50; i++) {
+        ktg_branch branch;
+        ktg_graft graft;
+        if (!draw(&f, &branch, &graft))
+            continue;
+        uint32_t fold = f.a->parent_edge[branch.top];
+        price +=
+            ktg_ease_cuts(&ease, fold, graft.edge) + ktg_ease_distances(&ease, &branch, &graft);
+        assert_int_equal(ktg_arrangement_graft(*state, f.a, &branch, &graft), KTG_OK);
+        ktg_ease_follow(&ease, fold, graft.edge);
+        done++;
+    }
+    assert_int_equal(done, 50);
+    assert_int_equal(ktg_ease_new(*state, f.a, 2, (ktg_vec2){1, 1.5}, 0.2, &anew), KTG_OK);
+    assert_true(fabs(price - before) > 1e-3);
+    assert_true(fabs(ktg_ease_price(&ease) - price) < 1e-5);
+    assert_true(fabs(ktg_ease_price(&anew) - price) < 1e-5);
+    ktg_ease_free(&ease);
+    ktg_ease_free(&anew);
+    drop(&f);
+}
+
+/* The mean distance of the copies of cut edges. */
+static double mate_distance(ktg_context *context, const fixture *f) {
+    ktg_arrangement *a;
+    double sum = 0, count = 0;
+    assert_int_equal(ktg_arrangement_new(context, f->dual, f->tree, (ktg_vec2){2, 2}, &a), KTG_OK);
+    for (uint32_t e = 0; e < f->dual->edge_count; e++) {
+        const uint32_t *pair = f->dual->edges[e].halfedge;
+        ktg_vec2 to = a->corners[pair[1] % 3 == 2 ? pair[1] - 2 : pair[1] + 1];
+        sum += f->tree[e] ? 0 : ktg_length2(ktg_sub2(a->corners[pair[0]], to));
+        count += !f->tree[e];
+    }
+    ktg_arrangement_free(&a);
+    return sum / count;
+}
+
+static void ease_brings_copies_together(void **state) {
+    fixture f = start(*state, shape_bumpy_sphere(*state)),
+            easy = start(*state, shape_bumpy_sphere(*state));
+    double side = sqrt(ktg_dual_area(f.dual) / 0.4);
+    ktg_arrange_goal goal = {
+        .half = {0.4 * side, 0.6 * side}, .tabs = &wish, .short_edge = 0.02, .work = 1500000};
+    assert_int_equal(ktg_arrange(*state, f.dual, &goal, &f.search, f.tree), KTG_OK);
+    goal.ease = 2;
+    assert_int_equal(ktg_arrange(*state, easy.dual, &goal, &easy.search, easy.tree), KTG_OK);
+    assert_true(mate_distance(*state, &easy) < 0.85 * mate_distance(*state, &f));
+    drop(&f);
+    drop(&easy);
+}
+
+/* Work for several starts, and for all rounds. */
+#define SEVERAL_STARTS(faces) (16 * 8000 * (uint64_t)(faces))
+
+static void any_number_of_threads_finds_the_same(void **state) {
+    fixture one = start(*state, shape_icosphere(*state, 1));
+    ktg_arrange_goal goal = {
+        .half = {1, 1.5}, .tabs = &wish, .work = SEVERAL_STARTS(one.dual->face_count)};
+    assert_int_equal(ktg_arrange(*state, one.dual, &goal, &one.search, one.tree), KTG_OK);
+    for (uint32_t threads = 2; threads < 6; threads += 3) {
+        fixture several = start(*state, shape_icosphere(*state, 1));
+        ktg_context_set_threads(*state, threads);
+        assert_int_equal(ktg_arrange(*state, several.dual, &goal, &several.search, several.tree),
+                         KTG_OK);
+        ktg_context_set_threads(*state, 1);
+        assert_memory_equal(one.tree, several.tree, one.dual->edge_count * sizeof *one.tree);
+        drop(&several);
+    }
+    drop(&one);
+}
+
 /* The spread of a tree on a sheet of that size. */
 static double spread_of(ktg_context *context, const fixture *f, ktg_vec2 half) {
     ktg_arrangement *a;
     ktg_spread spread;
-    assert_int_equal(ktg_arrangement_new(context, f->dual, f->tree, half, f->dual->face_count, &a),
-                     KTG_OK);
+    assert_int_equal(ktg_arrangement_new(context, f->dual, f->tree, half, &a), KTG_OK);
     assert_int_equal(ktg_spread_new(context, a, half, &spread), KTG_OK);
     assert_int_equal(ktg_spread_pose(context, a, &spread), KTG_OK);
     assert_int_equal(slow_conflicts(a, KTG_OVERLAP_DEPTH), 0);
@@ -318,11 +393,12 @@ static void polygons_stay_whole(void **state) {
     drop(&f);
 }
 
-static void memory_may_end_anywhere(void **state) {
-    fixture f = start(*state, shape_icosphere(*state, 1));
-    ktg_arrange_goal goal = {.half = {1, 1.5}, .tabs = &wish, .work = 20000};
+static void fail_each(void **state, int subdivisions, uint64_t work, uint64_t step) {
+    fixture f = start(*state, shape_icosphere(*state, subdivisions));
+    ktg_arrange_goal goal = {
+        .half = {1, 1.5}, .tabs = &wish, .ease = 1, .short_edge = 0.1, .work = work};
     ktg_status status = KTG_MEMORY;
-    for (uint64_t k = 1; status != KTG_OK; k++) {
+    for (uint64_t k = 1; status != KTG_OK; k += 1 + k / step) {
         bool *tree = ktg_copy_array(*state, f.tree, f.dual->edge_count, sizeof *tree);
         ktg_random_seed(&f.search.random, 1);
         ktg_context_fail_allocation(*state, k);
@@ -334,12 +410,20 @@ static void memory_may_end_anywhere(void **state) {
     drop(&f);
 }
 
+static void memory_may_end_anywhere(void **state) {
+    fail_each(state, 1, 20000, UINT64_MAX);
+    fail_each(state, 0, SEVERAL_STARTS(20), 8);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(grafts_keep_the_tree_and_count_their_conflicts),
         cmocka_unit_test(branches_go_over_to_another_piece),
         cmocka_unit_test(tabs_keep_clear_of_everything_while_branches_move),
         cmocka_unit_test(leaves_are_counted_as_cuts_change),
+        cmocka_unit_test(ease_is_counted_as_branches_move),
+        cmocka_unit_test(ease_brings_copies_together),
+        cmocka_unit_test(any_number_of_threads_finds_the_same),
         cmocka_unit_test(annealing_makes_compact_and_keeps_free_of_overlaps),
         cmocka_unit_test(polygons_stay_whole),
         cmocka_unit_test(memory_may_end_anywhere),

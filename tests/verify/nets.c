@@ -163,7 +163,7 @@ static void make_edges(maker *m) {
         m->edge_of[t] = m->edge_of[h];
         edge->sides[1] = (ktg_pattern_side){m->piece_of[t / 3], t / 3, t % 3};
         edge->kind = !m->fold[h]                ? KTG_EDGE_CUT
-                     : fabs(edge->angle) < 1e-6 ? KTG_EDGE_FLAT
+                     : fabs(edge->angle) < 1e-3 ? KTG_EDGE_FLAT
                      : edge->angle > 0          ? KTG_EDGE_MOUNTAIN
                                                 : KTG_EDGE_VALLEY;
     }
