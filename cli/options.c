@@ -177,7 +177,7 @@ static bool set_landscape(settings *s, const char *text) {
     ktg_sheet_format *sheet = &s->pipeline.layout.sheet;
     if (ktg_layout_is_page(sheet)) {
         snprintf(s->complaint, sizeof s->complaint,
-                 "--landscape turns sheets, not a page as long as the pattern needs");
+                 "--landscape turns sheets, not a page as large as the pattern needs");
         return false;
     }
     if (sheet->width_mm < sheet->height_mm) {
@@ -385,7 +385,7 @@ static const option_line lines[] = {
     {"unit", 0, "mm|cm|m|in", CMD_FLATTEN, set_unit, "the unit of the model file"},
     {"up", 0, "x|y|z", PAPER, set_up, "which axis is height (STL: z, others: y)"},
     {"paper", 'p', "FORMAT", PAPER, set_paper,
-     "a0 ... a6, letter, legal, tabloid, ..., WxH, Wxfit (roll), fit (one page) (a4)"},
+     "a0 ... a6, letter, legal, tabloid, ..., WxH, or fit: one page (a4)"},
     {"landscape", 0, NULL, PAPER, set_landscape, "turn the sheet"},
     {"margin", 0, "LENGTH", PAPER, set_margin, "left free on every side of a sheet (10mm)"},
     {"gap", 0, "LENGTH", PAPER, set_gap, "between pieces (2mm)"},

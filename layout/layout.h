@@ -49,15 +49,12 @@ KTG_API KTG_NODISCARD ktg_status ktg_layout_tile(ktg_context *context, ktg_patte
 /* The longest side of a page, in mm: what PDF readers take. */
 #define KTG_LAYOUT_PAGE_MM 5080.0
 
-/* True when a side of the sheet is infinite: it is as long as the pattern needs. */
+/* True when the sheet is infinite: it is as large as the pattern needs. */
 KTG_API bool ktg_layout_is_page(const ktg_sheet_format *sheet);
-/* The same sheet with KTG_LAYOUT_PAGE_MM for an infinite side. */
-KTG_API ktg_sheet_format ktg_layout_longest(const ktg_sheet_format *sheet);
 
-/* Places everything on one page: with infinite height on a roll of the given width (KTG_ROLL), with
- * both infinite on a page that is as small as some tries make it. A format without such a side goes
- * to ktg_layout_place. KTG_LIMIT when the page would be longer than KTG_LAYOUT_PAGE_MM,
- * KTG_GEOMETRY when a piece is wider than the roll. */
+/* Places everything on one page of sides up to KTG_LAYOUT_PAGE_MM, as small as some tries make it;
+ * with a format that is not infinite like ktg_layout_place. KTG_LIMIT when the page would be too
+ * long, KTG_GEOMETRY when a piece is too large for any. */
 KTG_API KTG_NODISCARD ktg_status ktg_layout_page(ktg_context *context, ktg_pattern *pattern,
                                                  const ktg_layout_options *options,
                                                  ktg_layout_report *report);

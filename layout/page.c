@@ -1,26 +1,16 @@
-/* layout/page.c - one page as large as the pattern needs: for a copy shop, or from a roll. */
+/* layout/page.c - one page as large as the pattern needs, for a copy shop. */
 #include "layout/turn.h"
 
 #include "core/memory.h"
 #include "core/vec.h"
 
-#include <stdio.h>
 #include <string.h>
 
 /* Rulers of 4 in have room on the page, whatever the pattern. */
 #define LEAST_ROOM_MM 110.0
 
 bool ktg_layout_is_page(const ktg_sheet_format *sheet) {
-    return isinf(sheet->width_mm) || isinf(sheet->height_mm);
-}
-
-ktg_sheet_format ktg_layout_longest(const ktg_sheet_format *sheet) {
-    ktg_sheet_format longest = *sheet;
-    longest.width_mm = fmin(sheet->width_mm, KTG_LAYOUT_PAGE_MM);
-    longest.height_mm = fmin(sheet->height_mm, KTG_LAYOUT_PAGE_MM);
-    if (ktg_layout_is_page(sheet))
-        snprintf(longest.name, sizeof longest.name, "one page");
-    return longest;
+    return isinf(sheet->width_mm);
 }
 
 /* ---- how wide it should be ----------------------------------------------------------------- */
@@ -73,21 +63,17 @@ static extent used_by(const ktg_pattern *pattern, const ktg_pattern_sheet *sheet
     return used;
 }
 
-/* Cuts the sheet to what is used and its margins; a width that is given stays. */
-static void crop(ktg_pattern *pattern, const ktg_sheet_format *format) {
+/* Cuts the sheet to what is used and its margins. */
+static void crop(ktg_pattern *pattern, double margin) {
     ktg_pattern_sheet *sheet = &pattern->sheets[0];
     extent used = used_by(pattern, sheet);
     ktg_vec2 size = ktg_sub2(used.high, used.low);
-    double margin = format->margin_mm, height = fmax(LEAST_ROOM_MM, size.y);
-    bool roll = isfinite(format->width_mm);
-    double width = roll ? format->width_mm - 2 * margin : fmax(LEAST_ROOM_MM, size.x);
-    double right = roll ? 0 : margin + (width - size.x) / 2 - used.low.x;
-    double up = margin + height - used.high.y;
+    double width = fmax(LEAST_ROOM_MM, size.x), height = fmax(LEAST_ROOM_MM, size.y);
+    double right = margin + (width - size.x) / 2 - used.low.x, up = margin + height - used.high.y;
     for (size_t i = 0; i < sheet->placement_count; i++) {
         sheet->placements[i].x += right;
         sheet->placements[i].y += up;
     }
-    sheet->kind = roll ? KTG_ROLL : KTG_SHEET;
     sheet->width_mm = width + 2 * margin;
     sheet->height_mm = height + 2 * margin;
     const double printable[4] = {margin, margin, margin + width, margin + height};
@@ -97,8 +83,8 @@ static void crop(ktg_pattern *pattern, const ktg_sheet_format *format) {
 static ktg_status lay(ktg_context *context, ktg_pattern *pattern, const ktg_layout_options *options,
                       double width_mm, ktg_layout_report *report) {
     ktg_layout_options longest = *options;
-    longest.sheet = ktg_layout_longest(&options->sheet);
-    longest.sheet.width_mm = width_mm;
+    longest.sheet =
+        (ktg_sheet_format){"one page", width_mm, KTG_LAYOUT_PAGE_MM, options->sheet.margin_mm};
     KTG_TRY(ktg_layout_place(context, pattern, &longest, report));
     if (pattern->sheet_count > 1)
         return ktg_fail(context, KTG_LIMIT,
@@ -107,7 +93,7 @@ static ktg_status lay(ktg_context *context, ktg_pattern *pattern, const ktg_layo
                         width_mm, KTG_LAYOUT_PAGE_MM);
     ktg_vec2 room = ktg_layout_room(&longest.sheet);
     double area = report->fill * room.x * room.y;
-    crop(pattern, &options->sheet);
+    crop(pattern, options->sheet.margin_mm);
     const double *r = pattern->sheets[0].printable;
     report->fill = area / ((r[2] - r[0]) * (r[3] - r[1]));
     return KTG_OK;
@@ -149,7 +135,5 @@ ktg_status ktg_layout_page(ktg_context *context, ktg_pattern *pattern,
         return ktg_fail(context, KTG_ARGUMENT,
                         "a margin of %g mm and a gap of %g mm: neither may be negative",
                         options->sheet.margin_mm, options->gap_mm);
-    return isfinite(options->sheet.width_mm)
-               ? lay(context, pattern, options, options->sheet.width_mm, report)
-               : lay_free(context, pattern, options, report);
+    return lay_free(context, pattern, options, report);
 }

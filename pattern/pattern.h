@@ -142,7 +142,7 @@ typedef enum ktg_sheet_kind { KTG_SHEET, KTG_ROLL, KTG_TILE } ktg_sheet_kind;
 typedef struct ktg_sheet_format {
     char name[32];              /* "A4", "Letter", "300x200" */
     double width_mm, height_mm; /* as it is put into the printer: portrait unless said otherwise;
-                                   INFINITY: as long as the pattern needs (ktg_layout_page) */
+                                   INFINITY: as large as the pattern needs (ktg_layout_page) */
     double margin_mm;           /* on all four sides; the printable area is what is left */
 } ktg_sheet_format;
 
@@ -212,8 +212,8 @@ KTG_API KTG_NODISCARD ktg_status ktg_pattern_scale(ktg_context *context, ktg_pat
 
 /* "a0" to "a6", "a3+", "b3" to "b5", "jis-b3" to "jis-b5", "letter", "legal", "tabloid", "ledger",
  * "statement", "ansi-c" to "ansi-e", "210x297" (mm) or "8.5x11in"; "fit" for a page as large as the
- * pattern needs (both sides are INFINITY) and "900xfit" for a roll (the height is). The margin is
- * left as it is in *format. KTG_ARGUMENT names what is known. */
+ * pattern needs (both sides are INFINITY). The margin is left as it is in *format. KTG_ARGUMENT
+ * names what is known. */
 KTG_API KTG_NODISCARD ktg_status ktg_sheet_parse(ktg_context *context, const char *text,
                                                  ktg_sheet_format *format);
 /* A4 with margins of 10 mm. */

@@ -105,33 +105,6 @@ static bool read_measures(const char *text, double *width_mm, double *height_mm)
     return true;
 }
 
-/* "fit" and "900xfit", "90cm x fit": as long as the pattern needs. */
-static bool read_fitting(const char *text, double *width_mm, double *height_mm) {
-    *width_mm = *height_mm = INFINITY;
-    if (strcasecmp(text, "fit") == 0)
-        return true;
-    while (*text == ' ')
-        text++;
-    if (!read_number(&text, width_mm))
-        return false;
-    double unit = read_unit(&text);
-    *width_mm *= unit > 0 ? unit : 1;
-    while (*text == ' ')
-        text++;
-    if (*text != 'x' && *text != 'X')
-        return false;
-    for (text++; *text == ' ';)
-        text++;
-    return strcasecmp(text, "fit") == 0;
-}
-
-static void name_fitting(ktg_sheet_format *format) {
-    if (isinf(format->width_mm))
-        snprintf(format->name, sizeof format->name, "fit");
-    else
-        snprintf(format->name, sizeof format->name, "%ldxfit", lround(format->width_mm));
-}
-
 /* "%g" would follow the locale; a paper's name has whole tenths of a millimetre. */
 static void name_measures(ktg_sheet_format *format) {
     long tenths[2] = {lround(10 * format->width_mm), lround(10 * format->height_mm)};
@@ -145,17 +118,12 @@ static void name_measures(ktg_sheet_format *format) {
 }
 
 static ktg_status unknown_sheet(ktg_context *context, const char *text) {
-    return ktg_fail(
-        context, KTG_ARGUMENT,
-        "\"%.40s\" is not a paper size: use a0 to a6, a3+, b3 to b5, jis-b3 to jis-b5, "
-        "letter, legal, "
-        "tabloid, ledger, statement, ansi-c to ansi-e, "
-        "width x height such as 210x297, 21x29.7cm or 8.5x11in, 90cmxfit for a roll, or fit",
-        text);
-}
-
-static bool is_side(double mm, bool fitting) {
-    return (mm >= LEAST_MM && mm <= MOST_MM) || (fitting && isinf(mm));
+    return ktg_fail(context, KTG_ARGUMENT,
+                    "\"%.40s\" is not a paper size: use a0 to a6, a3+, b3 to b5, jis-b3 to jis-b5, "
+                    "letter, legal, "
+                    "tabloid, ledger, statement, ansi-c to ansi-e, "
+                    "width x height such as 210x297, 21x29.7cm or 8.5x11in, or fit",
+                    text);
 }
 
 ktg_status ktg_sheet_parse(ktg_context *context, const char *text, ktg_sheet_format *format) {
@@ -169,18 +137,19 @@ ktg_status ktg_sheet_parse(ktg_context *context, const char *text, ktg_sheet_for
             return KTG_OK;
         }
     double width, height;
-    bool fitting = read_fitting(text, &width, &height);
-    if (!fitting && !read_measures(text, &width, &height))
+    if (strcasecmp(text, "fit") == 0) {
+        *format = (ktg_sheet_format){"fit", INFINITY, INFINITY, format->margin_mm};
+        return KTG_OK;
+    }
+    if (!read_measures(text, &width, &height))
         return unknown_sheet(context, text);
-    if (!is_side(width, fitting) || !is_side(height, fitting))
+    if (!(width >= LEAST_MM) || !(width <= MOST_MM) || !(height >= LEAST_MM) ||
+        !(height <= MOST_MM))
         return ktg_fail(context, KTG_ARGUMENT,
                         "a sheet of %.6g x %.6g mm: each side must be %d to %d mm", width, height,
                         LEAST_MM, MOST_MM);
     format->width_mm = width;
     format->height_mm = height;
-    if (fitting)
-        name_fitting(format);
-    else
-        name_measures(format);
+    name_measures(format);
     return KTG_OK;
 }

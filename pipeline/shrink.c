@@ -17,11 +17,9 @@ static ktg_status all_fit(ktg_context *context, const ktg_pipeline_options *opti
         status = ktg_pattern_scale(context, copy, mm_per_unit);
     if (status == KTG_OK)
         status = ktg_pattern_finish(context, copy, &options->finish, NULL);
-    ktg_layout_options layout = options->layout;
-    layout.sheet = ktg_layout_longest(&layout.sheet);
     *fits = true;
     for (size_t p = 0; status == KTG_OK && *fits && p < copy->piece_count; p++)
-        status = ktg_layout_fits(context, copy, &layout, p, fits);
+        status = ktg_layout_fits(context, copy, &options->layout, p, fits);
     ktg_pattern_free(&copy);
     return status;
 }

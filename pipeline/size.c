@@ -87,7 +87,7 @@ ktg_status ktg_size_scale(ktg_context *context, const ktg_pipeline_options *opti
         return ktg_pattern_fit(context, pattern, &options->layout.sheet, options->layout.gap_mm,
                                &options->finish, mm_per_unit);
     KTG_TRY(asked_scale(context, options, pattern->vertices, pattern->vertex_count, mm_per_unit));
-    return options->large == KTG_LARGE_SCALE && !isinf(options->layout.sheet.width_mm)
+    return options->large == KTG_LARGE_SCALE && !ktg_layout_is_page(&options->layout.sheet)
                ? ktg_size_shrink(context, options, pattern, mm_per_unit)
                : KTG_OK;
 }

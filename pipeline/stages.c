@@ -12,25 +12,14 @@ const char *ktg_base_name(const char *path) {
     return slash ? slash + 1 : path;
 }
 
-/* A piece from a roll is at most so long for its width: such pieces can still be handled. */
-#define ROLL_SHAPE 2.0
-
-/* The sheet a net should fill: a page that fits whatever there is has no shape of its own. */
-static ktg_sheet_format sheet_to_fill(const ktg_sheet_format *sheet) {
-    ktg_sheet_format fill = *sheet;
-    if (isinf(sheet->width_mm))
-        ktg_sheet_defaults(&fill);
-    else if (isinf(sheet->height_mm))
-        fill.height_mm = fmin(ROLL_SHAPE * sheet->width_mm, KTG_LAYOUT_PAGE_MM);
-    return fill;
-}
-
 static ktg_status unfold(ktg_context *context, const ktg_stage *stage, ktg_pattern **pattern) {
     const ktg_pipeline_options *options = stage->options;
     ktg_unfold_options unfold = options->unfold;
     ktg_progress(context, "unfold", 0, NULL);
-    bool split = options->large == KTG_LARGE_SPLIT && !isinf(options->layout.sheet.width_mm);
-    unfold.sheet = sheet_to_fill(&options->layout.sheet);
+    bool page = ktg_layout_is_page(&options->layout.sheet);
+    bool split = options->large == KTG_LARGE_SPLIT && !page;
+    if (!page) /* else it has no shape that a net should fill: A4's will do */
+        unfold.sheet = options->layout.sheet;
     unfold.finish = options->finish;
     unfold.rules = stage->hand->rules;
     unfold.rule_count = stage->hand->rule_count;
