@@ -126,10 +126,9 @@ ktg_status ktg_poster_lay(ktg_context *context, const ktg_pattern *pattern,
     const ktg_pattern_piece *piece = &pattern->pieces[index];
     ktg_vec2 room = ktg_layout_room(&options->sheet), low, size;
     double rotation = 0;
-    bool free_turn = !options->keep_grain;
     *p = (ktg_poster){
         .piece = index, .room = room, .step = {room.x - overlap_mm, room.y - overlap_mm}};
-    if (free_turn)
+    if (!options->keep_grain)
         KTG_TRY(ktg_smallest_box(context, piece->outline, piece->outline_count, &rotation, &low,
                                  &size));
     ktg_poster other = *p;
@@ -139,10 +138,10 @@ ktg_status ktg_poster_lay(ktg_context *context, const ktg_pattern *pattern,
     ktg_status status = p->used && other.used && work ? KTG_OK : KTG_MEMORY;
     if (status == KTG_OK)
         status = lay_turned(context, piece, rotation, work, p);
-    if (status == KTG_OK && free_turn)
+    if (status == KTG_OK)
         status = lay_turned(context, piece, rotation + KTG_PI / 2, work, &other);
     ktg_free(work);
-    if (status == KTG_OK && free_turn && other.tiles < p->tiles) {
+    if (status == KTG_OK && other.tiles < p->tiles) {
         ktg_poster swap = *p;
         *p = other;
         other = swap;

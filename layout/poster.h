@@ -19,9 +19,9 @@ typedef struct ktg_poster {
     bool *used;     /* rows x columns: those */
 } ktg_poster;
 
-/* Lays piece `index` at the turn (as it is, with keep_grain) and place that take the fewest sheets.
- * Free with ktg_poster_drop, also after a failure. KTG_LIMIT when it would be more than
- * KTG_POSTER_TILES. */
+/* Lays piece `index` at the turn and place that take the fewest sheets; with keep_grain upright or
+ * on its side: paper has no grain, and a line shows the cloth's. Free with ktg_poster_drop, also
+ * after a failure. KTG_LIMIT when it would be more than KTG_POSTER_TILES. */
 KTG_NODISCARD ktg_status ktg_poster_lay(ktg_context *context, const ktg_pattern *pattern,
                                         const ktg_layout_options *options, double overlap_mm,
                                         uint32_t index, ktg_poster *poster);

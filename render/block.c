@@ -68,8 +68,7 @@ static double brief_caption(const ktg_page *page, double x, double y, double wid
 }
 
 static double legend(const ktg_page *page, double x, double y, double width, bool dry) {
-    return KTG_LEGEND_LINE_MM *
-           (double)ktg_legend_draw(page->drawing, page->cairo, x, y + 1.2, width, false, dry);
+    return KTG_LEGEND_LINE_MM * (double)ktg_legend_draw(page, x, y + 1.2, width, false, dry);
 }
 
 static double ruler(const ktg_page *page, double x, double y, double width, bool dry) {

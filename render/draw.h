@@ -222,12 +222,12 @@ const char *ktg_legend_word(ktg_stroke stroke, bool brief);
 /* A sample of a stroke from (x, y), `width` long. */
 void ktg_legend_sample(const ktg_drawing *drawing, cairo_t *cairo, ktg_stroke stroke, double x,
                        double y, double width);
-/* The width of the legend of all strokes that occur, in one line. */
-double ktg_legend_width(const ktg_drawing *drawing, cairo_t *cairo, bool brief);
+/* The width of the legend of the page's strokes, in one line. */
+double ktg_legend_width(const ktg_page *page, bool brief);
 /* Draws it from x on, the samples at height y, wrapped after `width`; returns the number of lines,
  * KTG_LEGEND_LINE_MM apart. With `dry` nothing is drawn. */
-size_t ktg_legend_draw(const ktg_drawing *drawing, cairo_t *cairo, double x, double y, double width,
-                       bool brief, bool dry);
+size_t ktg_legend_draw(const ktg_page *page, double x, double y, double width, bool brief,
+                       bool dry);
 #define KTG_LEGEND_LINE_MM 3.6
 
 /* A ruler from (x, y) to the right: millimetres above the line, inches below, no more than

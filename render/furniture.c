@@ -99,13 +99,12 @@ static bool draw_bottom(const ktg_page *page, ktg_area printable) {
     double room = printable.x1 - printable.x0, gap = 4, y = printable.y1 + KTG_STRIP_MM / 2;
     for (size_t i = 0; i < sizeof choices / sizeof *choices; i++) {
         double ruler = choices[i].ruler ? ktg_ruler_length(choices[i].whole) + gap : 0;
-        double legend = ktg_legend_width(page->drawing, cairo, choices[i].brief);
+        double legend = ktg_legend_width(page, choices[i].brief);
         if (ruler + legend > room)
             continue;
         if (choices[i].ruler)
             ktg_ruler_draw(cairo, printable.x0, y, choices[i].whole, false);
-        ktg_legend_draw(page->drawing, cairo, printable.x1 - legend, y, legend, choices[i].brief,
-                        false);
+        ktg_legend_draw(page, printable.x1 - legend, y, legend, choices[i].brief, false);
         return true;
     }
     if (ktg_ruler_length(false) <= room)

@@ -92,7 +92,7 @@ static void draw_tile(const ktg_drawing *drawing, cairo_t *cairo, const frame *f
     cairo_set_line_width(cairo, 0.15);
     cairo_rectangle(cairo, a.x, a.y, b.x - a.x, b.y - a.y);
     cairo_stroke(cairo);
-    double digit = fmin(4, fmin(b.x - a.x, b.y - a.y) / 4), x = (a.x + b.x) / 2,
+    double digit = fmin(4, fmin((b.x - a.x) / 4.5, (b.y - a.y) / 4)), x = (a.x + b.x) / 2,
            y = (a.y + b.y) / 2;
     if (digit < LEAST_DIGIT_MM)
         return;
