@@ -33,10 +33,11 @@ static void append(cairo_t *cairo, ktg_vec2 at, const char *text, glyph_list *li
 void ktg_number_draw(cairo_t *cairo, double angle, double digit_mm, const char *text) {
     double half = ktg_text_width(cairo, text) / 2, blank = ktg_text_width(cairo, " ");
     double rest = angle - KTG_PI / 2 * round(2 * angle / KTG_PI), c = cos(rest), s = sin(rest);
-    /* Begin and end on the base line, turned back to the nearest direction; as far from the middle
-     * as the number reaches along that. */
+    /* Begin and end on the base line, turned back to the nearest direction; not quite as far from
+     * the middle as the number reaches along that, or neighbours would be read as one. */
     ktg_vec2 along = {c, s}, down = {-s, c}, base = ktg_mul2(down, digit_mm / 2);
-    ktg_vec2 begin = ktg_madd2(base, -half * c, along), end = ktg_madd2(base, half * c, along);
+    double reach = 0.75 * half * c;
+    ktg_vec2 begin = ktg_madd2(base, -reach, along), end = ktg_madd2(base, reach, along);
     glyph_list list = {.count = 0};
     append(cairo, begin, " ", &list);
     append(cairo, (ktg_vec2){-half, digit_mm / 2}, text, &list);
