@@ -108,10 +108,12 @@ static ktg_status lay_free(ktg_context *context, ktg_pattern *pattern,
     least = least * (1 + 1e-9) + 2 * margin;
     if (pattern->piece_count == 1)
         return lay(context, pattern, options, fmin(least, KTG_LAYOUT_PAGE_MM), report);
+    ktg_layout_options quick = *options;
+    quick.effort = KTG_EFFORT_QUICK;
     double best_width = fmin(fmax(least, sqrt(area) + 2 * margin), KTG_LAYOUT_PAGE_MM);
     for (size_t k = 0; k < sizeof tries / sizeof *tries; k++) {
         double width = fmin(fmax(least, tries[k] * sqrt(area) + 2 * margin), KTG_LAYOUT_PAGE_MM);
-        ktg_status status = lay(context, pattern, options, width, report);
+        ktg_status status = lay(context, pattern, &quick, width, report);
         if (status == KTG_LIMIT)
             continue;
         KTG_TRY(status);

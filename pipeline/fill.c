@@ -77,7 +77,7 @@ static ktg_status search(ktg_context *context, filling *f) {
         (sheet->width_mm - 2 * sheet->margin_mm) * (sheet->height_mm - 2 * sheet->margin_mm);
     double most = sqrt(options->sheets * room / area_of(f->stage->mesh)), scale;
     bool fits;
-    f->options.unfold.effort = KTG_EFFORT_QUICK;
+    f->options.unfold.effort = f->options.layout.effort = KTG_EFFORT_QUICK;
     KTG_TRY(try_scale(context, f, 0, &fits));
     if (!f->best)
         return ktg_fail(context, KTG_INTERNAL, "what fits one sheet takes more than one");
@@ -89,6 +89,7 @@ static ktg_status search(ktg_context *context, filling *f) {
         *(fits ? &scale : &most) = middle;
     }
     f->options.unfold.effort = options->unfold.effort;
+    f->options.layout.effort = options->layout.effort;
     if (options->unfold.effort == KTG_EFFORT_QUICK || ktg_wants_finish(context) ||
         seconds_left(f) <= 0)
         return KTG_OK;

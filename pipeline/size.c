@@ -40,6 +40,10 @@ ktg_status ktg_size_check(ktg_context *context, const ktg_pipeline_options *opti
             return ktg_fail(context, KTG_ARGUMENT,
                             "a page as large as the pattern needs does not say how large that is: "
                             "give a height, a width, a length or a scale");
+        if (options->layout.roll)
+            return ktg_fail(context, KTG_ARGUMENT,
+                            "a roll has no size that a model could fill: say how large it is to "
+                            "become (--height 200mm)");
         if (options->mode == KTG_PAPER)
             return KTG_OK;
         return ktg_fail(

@@ -53,13 +53,17 @@ ktg_status ktg_stage_pieces(ktg_context *context, const ktg_stage *stage, ktg_pa
     return ktg_pattern_set_omitted(context, p, options->omit, options->omit_count);
 }
 
+/* In what the unfolding's time limit left (a little, at least). */
 static ktg_status lay_out(ktg_context *context, const ktg_pipeline_options *options,
-                          ktg_pattern *pattern, ktg_layout_report *report) {
-    if (ktg_layout_is_page(&options->layout.sheet))
-        return ktg_layout_page(context, pattern, &options->layout, report);
-    if (options->large == KTG_LARGE_TILE)
-        return ktg_layout_tile(context, pattern, &options->layout, options->overlap_mm, report);
-    return ktg_layout_place(context, pattern, &options->layout, report);
+                          ktg_pattern *pattern, ktg_pipeline_report *report) {
+    ktg_layout_options layout = options->layout;
+    if (options->unfold.seconds > 0)
+        layout.seconds = fmax(0.1, options->unfold.seconds - report->seconds_unfold);
+    if (ktg_layout_is_page(&layout.sheet))
+        return ktg_layout_page(context, pattern, &layout, &report->layout);
+    if (options->large == KTG_LARGE_TILE && !layout.roll)
+        return ktg_layout_tile(context, pattern, &layout, options->overlap_mm, &report->layout);
+    return ktg_layout_place(context, pattern, &layout, &report->layout);
 }
 
 ktg_status ktg_stage_sheets(ktg_context *context, const ktg_stage *stage, ktg_pattern *pattern) {
@@ -71,7 +75,7 @@ ktg_status ktg_stage_sheets(ktg_context *context, const ktg_stage *stage, ktg_pa
     KTG_TRY(ktg_check_cancel(context));
     KTG_TRY(ktg_pattern_scale(context, pattern, mm_per_unit));
     KTG_TRY(ktg_pattern_finish(context, pattern, &options->finish, &report->finish));
-    KTG_TRY(lay_out(context, options, pattern, &report->layout));
+    KTG_TRY(lay_out(context, options, pattern, report));
     report->faces = pattern->face_count;
     report->pieces = (uint32_t)pattern->piece_count;
     report->components = (uint32_t)pattern->component_count;
