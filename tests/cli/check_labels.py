@@ -18,6 +18,7 @@ import sys
 
 MM = 25.4 / 72
 NEAR_MM = 1.0
+MAPS_A_PAGE = 6  # on the covers
 
 
 def words_of(pdf):
@@ -55,15 +56,20 @@ def check_seams(pattern):
     return ['number %s stands %d times' % (text, n) for text, n in counts.items() if n != 2]
 
 
+def is_shown(sheet, x, y):
+    """On a tile a number may be cut off, or lie on another one."""
+    x0, y0, x1, y1 = sheet['printable']
+    return sheet['kind'] != 'tile' or (x0 + 4 < x < x1 - 4 and y0 + 4 < y < y1 - 4)
+
+
 def check(pages, pattern):
     problems, found, nearest = check_seams(pattern), 0, 0.0
-    covers = len(pages) - len(pattern['sheets'])
-    if not pattern['sheets'] or pattern['sheets'][0]['kind'] != 'tile':
-        covers = 0  # a page that explains may come last
+    posters = max((sheet.get('tile', {}).get('poster', 0) for sheet in pattern['sheets']), default=0)
+    covers = (posters + MAPS_A_PAGE - 1) // MAPS_A_PAGE
     for sheet, (_, _, words) in zip(pattern['sheets'], pages[covers:]):
-        if sheet['kind'] == 'tile':
-            continue
         for text, x, y, edge in labels_of(pattern, sheet):
+            if not is_shown(sheet, x, y):
+                continue
             away = min((math.hypot(x - u, y - v) for word, u, v in words if word == text),
                        default=math.inf)
             nearest = max(nearest, away if away < math.inf else 0)
