@@ -4,10 +4,12 @@
 
 /* How far from the edge, and how far aside, in steps. */
 #define STEP_MM  0.8
-#define STEPS    30
-#define ASIDES   20
+#define STEPS    22
+#define ASIDES   10
 #define EDGE_MM  0.3 /* a leader ends so far inside the edge */
 #define CLEAR_MM 0.25
+/* Among more labels than these no place is looked for: nobody builds such a net by its numbers. */
+#define MOST_LABELS 800
 
 /* The number's box with its foot `away` from the edge and its middle `aside` of the edge's, along
  * the edge or upright to it. */
