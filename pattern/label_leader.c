@@ -74,7 +74,8 @@ ktg_status ktg_label_lead(ktg_context *context, ktg_label_sheet *sheet,
     ktg_vec2 foot = ktg_madd2(want->middle, EDGE_MM, ktg_perp2(want->along));
     ktg_label_box box;
     bool found =
-        find_place(sheet, want, foot, false, &box) || find_place(sheet, want, foot, true, &box);
+        sheet->label_count + sheet->want_count <= MOST_LABELS &&
+        (find_place(sheet, want, foot, false, &box) || find_place(sheet, want, foot, true, &box));
     if (!found)
         box = box_at(want, 0, EDGE_MM, false); /* over whatever is there */
     KTG_TRY(ktg_label_write(context, sheet, want->piece, KTG_NONE, want->edge, want->text, &box));
