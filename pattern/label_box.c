@@ -101,10 +101,22 @@ static ktg_label_box box_of(const ktg_pattern_label *label, bool leader) {
         {label->height_mm * ktg_label_width(label->text) / 2, label->height_mm / 2}};
 }
 
+/* True when the label is so far away that its shape does not matter. */
+static bool is_far(const ktg_pattern_label *label, const ktg_label_box *box) {
+    ktg_vec2 v = ktg_sub2(label->at, box->at);
+    double letters =
+        label->edge == KTG_NONE ? sizeof label->text : sizeof((ktg_label_want){0}.text);
+    double reach = box->half.x + box->half.y + label->height_mm * letters;
+    if (label->leader)
+        reach += fabs(label->foot.x - label->at.x) + fabs(label->foot.y - label->at.y);
+    return fabs(v.x) > reach || fabs(v.y) > reach;
+}
+
 bool ktg_label_piece_taken(const ktg_label_sheet *sheet, uint32_t p, const ktg_label_box *box) {
     const ktg_pattern_piece *piece = &sheet->pattern->pieces[p];
     for (size_t i = 0; i < piece->label_count; i++)
-        for (int leader = 0; leader <= piece->labels[i].leader; leader++) {
+        for (int leader = 0; leader <= piece->labels[i].leader && !is_far(&piece->labels[i], box);
+             leader++) {
             ktg_label_box other = box_of(&piece->labels[i], leader);
             if (ktg_label_boxes_meet(&other, box))
                 return true;

@@ -4,10 +4,12 @@
 
 /* How far from the edge, and how far aside, in steps. */
 #define STEP_MM  0.8
-#define STEPS    30
-#define ASIDES   20
+#define STEPS    22
+#define ASIDES   10
 #define EDGE_MM  0.3 /* a leader ends so far inside the edge */
 #define CLEAR_MM 0.25
+/* Among more labels than these no place is looked for: nobody builds such a net by its numbers. */
+#define MOST_LABELS 800
 
 /* The number's box with its foot `away` from the edge and its middle `aside` of the edge's, along
  * the edge or upright to it. */
@@ -72,7 +74,8 @@ ktg_status ktg_label_lead(ktg_context *context, ktg_label_sheet *sheet,
     ktg_vec2 foot = ktg_madd2(want->middle, EDGE_MM, ktg_perp2(want->along));
     ktg_label_box box;
     bool found =
-        find_place(sheet, want, foot, false, &box) || find_place(sheet, want, foot, true, &box);
+        sheet->label_count + sheet->want_count <= MOST_LABELS &&
+        (find_place(sheet, want, foot, false, &box) || find_place(sheet, want, foot, true, &box));
     if (!found)
         box = box_at(want, 0, EDGE_MM, false); /* over whatever is there */
     KTG_TRY(ktg_label_write(context, sheet, want->piece, KTG_NONE, want->edge, want->text, &box));
