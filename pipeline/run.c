@@ -44,8 +44,9 @@ static ktg_status simplify(ktg_context *context, const ktg_pipeline_options *opt
     ktg_progress(context, "simplify", 0, NULL);
     KTG_TRY(ktg_hand_check_simplify(context, options, mesh));
     KTG_TRY(ktg_mesh_simplify(context, mesh, options->faces, &report->simplify));
-    ktg_log(context, KTG_LOG_NOTE, "simplified from %u to %u faces", report->simplify.faces_before,
-            report->simplify.faces_after);
+    if (report->simplify.faces_after < report->simplify.faces_before)
+        ktg_log(context, KTG_LOG_NOTE, "simplified from %u to %u faces",
+                report->simplify.faces_before, report->simplify.faces_after);
     if (!report->simplify.target_reached)
         ktg_log(context, KTG_LOG_WARNING,
                 "fewer than %u faces would change the model's topology or fold it%s",

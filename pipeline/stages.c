@@ -12,6 +12,18 @@ const char *ktg_base_name(const char *path) {
     return slash ? slash + 1 : path;
 }
 
+/* Fewer pieces than somebody asked for are not passed over in silence. */
+static void tell_pieces(ktg_context *context, const ktg_unfold_options *options,
+                        const ktg_unfold_report *report) {
+    uint64_t wanted = (uint64_t)options->pieces * report->parts;
+    bool stopped =
+        report->stopped_by == KTG_STOPPED_TIME || report->stopped_by == KTG_STOPPED_INTERRUPT;
+    if (report->pieces < wanted && !stopped)
+        ktg_log(context, KTG_LOG_WARNING,
+                "%u pieces instead of %llu: there are no more faces, or edges that may be cut",
+                report->pieces, (unsigned long long)wanted);
+}
+
 static ktg_status unfold(ktg_context *context, const ktg_stage *stage, ktg_pattern **pattern) {
     const ktg_pipeline_options *options = stage->options;
     ktg_unfold_options unfold = options->unfold;
@@ -27,7 +39,10 @@ static ktg_status unfold(ktg_context *context, const ktg_stage *stage, ktg_patte
     KTG_TRY(ktg_size_known(context, options, stage->mesh, &unfold.mm_per_unit));
     if (!split)
         unfold.mm_per_unit = 0; /* one piece, as compact as can be */
-    return ktg_unfold(context, stage->mesh, stage->title, &unfold, pattern, &stage->report->unfold);
+    KTG_TRY(
+        ktg_unfold(context, stage->mesh, stage->title, &unfold, pattern, &stage->report->unfold));
+    tell_pieces(context, &unfold, &stage->report->unfold);
+    return KTG_OK;
 }
 
 static ktg_status flatten(ktg_context *context, const ktg_stage *stage, ktg_pattern **pattern) {
