@@ -36,7 +36,7 @@ static ktg_status make(ktg_context *context, filling *f, ktg_pattern **pattern) 
     if (isfinite(left))
         f->options.unfold.seconds = fmax(left, 0.05);
     KTG_TRY(ktg_stage_pieces(context, &trial, pattern));
-    return ktg_stage_sheets(context, &trial, *pattern);
+    return ktg_stage_sheets(context, &trial, pattern);
 }
 
 /* Makes the pattern and keeps it where it takes no more sheets than it may. What is too large for

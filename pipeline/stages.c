@@ -3,6 +3,7 @@
 #include "core/clock.h"
 #include "core/memory.h"
 #include "core/vec.h"
+#include "pipeline/sheets.h"
 #include "pipeline/size.h"
 
 #include <string.h>
@@ -68,36 +69,19 @@ ktg_status ktg_stage_pieces(ktg_context *context, const ktg_stage *stage, ktg_pa
     return ktg_pattern_set_omitted(context, p, options->omit, options->omit_count);
 }
 
-/* In what the unfolding's time limit left (a little, at least). */
-static ktg_status lay_out(ktg_context *context, const ktg_pipeline_options *options,
-                          ktg_pattern *pattern, ktg_pipeline_report *report) {
-    ktg_layout_options layout = options->layout;
-    if (options->unfold.seconds > 0)
-        layout.seconds = fmax(0.1, options->unfold.seconds - report->seconds_unfold);
-    if (ktg_layout_is_page(&layout.sheet))
-        return ktg_layout_page(context, pattern, &layout, &report->layout);
-    if (options->large == KTG_LARGE_TILE && !layout.roll)
-        return ktg_layout_tile(context, pattern, &layout, options->overlap_mm, &report->layout);
-    return ktg_layout_place(context, pattern, &layout, &report->layout);
-}
-
-ktg_status ktg_stage_sheets(ktg_context *context, const ktg_stage *stage, ktg_pattern *pattern) {
+ktg_status ktg_stage_sheets(ktg_context *context, const ktg_stage *stage, ktg_pattern **pattern) {
     const ktg_pipeline_options *options = stage->options;
     ktg_pipeline_report *report = stage->report;
-    double mm_per_unit = 0;
     ktg_progress(context, "sheets", 0, NULL);
-    KTG_TRY(ktg_size_scale(context, options, pattern, &mm_per_unit));
-    KTG_TRY(ktg_check_cancel(context));
-    KTG_TRY(ktg_pattern_scale(context, pattern, mm_per_unit));
-    KTG_TRY(ktg_pattern_finish(context, pattern, &options->finish, &report->finish));
-    KTG_TRY(lay_out(context, options, pattern, report));
-    report->faces = pattern->face_count;
-    report->pieces = (uint32_t)pattern->piece_count;
-    report->components = (uint32_t)pattern->component_count;
-    report->mm_per_unit = pattern->mm_per_unit;
-    report->sheet_mm = (ktg_vec2){pattern->sheets[0].width_mm, pattern->sheets[0].height_mm};
+    KTG_TRY(ktg_sheets_put(context, options, pattern, report));
+    const ktg_pattern *p = *pattern;
+    report->faces = p->face_count;
+    report->pieces = (uint32_t)p->piece_count;
+    report->components = (uint32_t)p->component_count;
+    report->mm_per_unit = p->mm_per_unit;
+    report->sheet_mm = (ktg_vec2){p->sheets[0].width_mm, p->sheets[0].height_mm};
     report->up = ktg_size_up(options);
-    report->size_mm = ktg_size_of(pattern->vertices, pattern->vertex_count, report->up);
+    report->size_mm = ktg_size_of(p->vertices, p->vertex_count, report->up);
     return KTG_OK;
 }
 
@@ -105,5 +89,5 @@ ktg_status ktg_stage_pattern(ktg_context *context, const ktg_stage *stage, ktg_p
     if (stage->options->size_rule == KTG_SIZE_FIT && stage->options->sheets > 1)
         return ktg_stage_fill(context, stage, pattern);
     KTG_TRY(ktg_stage_pieces(context, stage, pattern));
-    return ktg_stage_sheets(context, stage, *pattern);
+    return ktg_stage_sheets(context, stage, pattern);
 }

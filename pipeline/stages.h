@@ -22,7 +22,7 @@ KTG_NODISCARD ktg_status ktg_stage_pattern(ktg_context *context, const ktg_stage
 KTG_NODISCARD ktg_status ktg_stage_pieces(ktg_context *context, const ktg_stage *stage,
                                           ktg_pattern **pattern);
 KTG_NODISCARD ktg_status ktg_stage_sheets(ktg_context *context, const ktg_stage *stage,
-                                          ktg_pattern *pattern);
+                                          ktg_pattern **pattern);
 
 /* The whole for options->sheets > 1: the largest pattern that takes no more sheets (fill.c). */
 KTG_NODISCARD ktg_status ktg_stage_fill(ktg_context *context, const ktg_stage *stage,
