@@ -33,7 +33,7 @@ typedef struct settings {
     word_list keep, cut, omit;
     const char *arguments[2]; /* what is not an option */
     int argument_count;
-    bool faces_given;
+    bool faces_given, oversize_given;
     const char *size_given; /* the option that said how large it becomes */
     char complaint[256];    /* why a value was refused, where its option knows more than its form */
     uint64_t seed;

@@ -49,9 +49,13 @@ static void tell_result(void *user, const ktg_pipeline_report *r) {
         fputs("interrupted: this is the best pattern so far\n", stderr);
     if (r->unfold.stopped_by == KTG_STOPPED_TIME)
         fputs("the time is over: this is the best pattern so far\n", stderr);
-    fprintf(stderr, "%u faces in %u piece%s on %u sheet%s of %s, %.0f %% filled\n", r->faces,
-            r->pieces, plural(r->pieces), r->layout.sheets, plural(r->layout.sheets),
-            s->pipeline.layout.sheet.name, 100 * r->layout.fill);
+    char page[64];
+    const ktg_sheet_format *sheet = &s->pipeline.layout.sheet;
+    snprintf(page, sizeof page, "%.0f x %.0f mm", r->sheet_mm.x, r->sheet_mm.y);
+    fprintf(stderr, "%u face%s in %u piece%s on %u sheet%s of %s, %.0f %% filled\n", r->faces,
+            plural(r->faces), r->pieces, plural(r->pieces), r->layout.sheets,
+            plural(r->layout.sheets), ktg_layout_is_page(sheet) ? page : sheet->name,
+            100 * r->layout.fill);
     if (s->pipeline.layout.roll)
         fprintf(stderr, "the %s %.0f mm long\n",
                 r->layout.sheets == 1 ? "sheet is" : "last sheet is",
@@ -91,6 +95,8 @@ static exit_code run_pattern(int argc, char **argv, int command, const char *usa
     s.pipeline.mode = command == CMD_FLATTEN ? KTG_CLOTH : KTG_PAPER;
     if (command == CMD_FLATTEN && !s.faces_given)
         s.pipeline.faces = KTG_ALL_FACES;
+    if (command == CMD_FLATTEN && !s.oversize_given)
+        s.pipeline.large = KTG_LARGE_TILE;
     s.pipeline.layout.keep_grain = command == CMD_FLATTEN;
     s.pipeline.model = s.arguments[0];
     s.pipeline.outputs = s.outputs;

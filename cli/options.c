@@ -143,6 +143,11 @@ static bool set_scale(settings *s, const char *text) {
            parse_number(text, 1e-12, 1e12, &s->pipeline.size_mm);
 }
 
+static bool set_sheets(settings *s, const char *text) {
+    return note_size(s, KTG_SIZE_FIT, "--sheets") && parse_count32(text, 1, &s->pipeline.sheets) &&
+           s->pipeline.sheets <= 1000;
+}
+
 static bool set_unit(settings *s, const char *text) {
     static const char *const units[] = {"mm", "cm", "m", "in", NULL};
     static const double mm[] = {1, 10, 1000, 25.4};
@@ -185,6 +190,11 @@ static bool set_roll(settings *s, const char *text) {
 static bool set_landscape(settings *s, const char *text) {
     (void)text;
     ktg_sheet_format *sheet = &s->pipeline.layout.sheet;
+    if (ktg_layout_is_page(sheet)) {
+        snprintf(s->complaint, sizeof s->complaint,
+                 "--landscape turns sheets, not a page as large as the pattern needs");
+        return false;
+    }
     if (sheet->width_mm < sheet->height_mm && !s->pipeline.layout.roll) {
         double width = sheet->width_mm;
         sheet->width_mm = sheet->height_mm;
@@ -275,10 +285,20 @@ static bool set_effort(settings *s, const char *text) {
 }
 
 static bool set_oversize(settings *s, const char *text) {
-    static const char *const ways[] = {"split", "error", NULL};
+    static const char *const ways[] = {"split", "tile", "scale", "error", NULL};
     int way = word_index(text, ways);
-    s->pipeline.unfold.oversize = way == 1 ? KTG_OVERSIZE_ERROR : KTG_OVERSIZE_SPLIT;
+    s->oversize_given = true;
+    s->pipeline.large = way >= 0 ? (ktg_large)way : KTG_LARGE_SPLIT;
     return way >= 0;
+}
+
+/* Cloth is cut along its seams only. */
+static bool set_oversize_flatten(settings *s, const char *text) {
+    return strcmp(text, "split") != 0 && set_oversize(s, text);
+}
+
+static bool set_overlap(settings *s, const char *text) {
+    return cli_parse_length(text, &s->pipeline.overlap_mm);
 }
 
 static bool set_pieces(settings *s, const char *text) {
@@ -377,16 +397,21 @@ static const option_line lines[] = {
     {"width", 0, "LENGTH", PAPER, set_width, "its width"},
     {"length", 0, "LENGTH", PAPER, set_length, "its length, the third direction"},
     {"scale", 0, "FACTOR", PAPER, set_scale, "millimetres per unit of the model"},
+    {"sheets", 0, "N", CMD_UNFOLD, set_sheets, "as large as N sheets allow (1)"},
     {"unit", 0, "mm|cm|m|in", CMD_FLATTEN, set_unit, "the unit of the model file"},
     {"up", 0, "x|y|z", PAPER, set_up, "which axis is height (STL: z, others: y)"},
-    {"paper", 'p', "FORMAT", PAPER, set_paper, "a4 ... a0, letter, legal, tabloid, WxH (a4)"},
+    {"paper", 'p', "FORMAT", PAPER, set_paper,
+     "a0 ... a6, letter, legal, tabloid, ..., WxH, or fit: one page (a4)"},
     {"landscape", 0, NULL, PAPER, set_landscape, "turn the sheet"},
     {"roll", 0, "WIDTH", PAPER, set_roll,
      "instead of sheets: pages of that width, cut off where the pieces end"},
     {"margin", 0, "LENGTH", PAPER, set_margin, "left free on every side of a sheet (10mm)"},
     {"gap", 0, "LENGTH", PAPER, set_gap, "between pieces (2mm)"},
-    {"oversize", 0, "split|error", CMD_UNFOLD, set_oversize,
-     "with a size: pieces that fit the sheet, or fail where one piece does not (split)"},
+    {"oversize", 0, "split|tile|scale|error", CMD_UNFOLD, set_oversize,
+     "what is larger than a sheet: divide it, spread it over sheets, shrink all, fail (split)"},
+    {"oversize", 0, "tile|scale|error", CMD_FLATTEN, set_oversize_flatten,
+     "what is larger than a sheet: spread it over sheets, shrink it, or fail (tile)"},
+    {"overlap", 0, "LENGTH", PAPER, set_overlap, "of the sheets of a poster (10mm)"},
     {"pieces", 0, "N", CMD_UNFOLD, set_pieces,
      "divide every part of the model into N pieces; with a size, more where they do not fit"},
     {"max-faces-per-piece", 0, "N", CMD_UNFOLD, set_piece_faces, "no piece has more faces"},

@@ -43,6 +43,34 @@ KTG_API KTG_NODISCARD ktg_status ktg_layout_place(ktg_context *context, ktg_patt
                                                   const ktg_layout_options *options,
                                                   ktg_layout_report *report);
 
+/* Whether piece `piece` (an index) can lie on a sheet. */
+KTG_API KTG_NODISCARD ktg_status ktg_layout_fits(ktg_context *context, const ktg_pattern *pattern,
+                                                 const ktg_layout_options *options, size_t piece,
+                                                 bool *fits);
+
+/* Places like ktg_layout_place what fits a sheet; every larger piece becomes a poster: it is spread
+ * over sheets of kind KTG_TILE that overlap by `overlap_mm` (at most half of the printable area),
+ * at the turn that takes the fewest of them. Sheets on which nothing of the piece would lie are
+ * left out. What reaches over a tile's printable area is not to be drawn. Posters come last, each
+ * row by row. KTG_ARGUMENT for an overlap that is too large, KTG_LIMIT for a poster of thousands of
+ * sheets. */
+KTG_API KTG_NODISCARD ktg_status ktg_layout_tile(ktg_context *context, ktg_pattern *pattern,
+                                                 const ktg_layout_options *options,
+                                                 double overlap_mm, ktg_layout_report *report);
+
+/* The longest side of a page, in mm: what PDF readers take. */
+#define KTG_LAYOUT_PAGE_MM 5080.0
+
+/* True when the sheet is infinite: it is as large as the pattern needs. */
+KTG_API bool ktg_layout_is_page(const ktg_sheet_format *sheet);
+
+/* Places everything on one page of sides up to KTG_LAYOUT_PAGE_MM, as small as some tries make it;
+ * with a format that is not infinite like ktg_layout_place. KTG_LIMIT when the page would be too
+ * long, KTG_GEOMETRY when a piece is too large for any. */
+KTG_API KTG_NODISCARD ktg_status ktg_layout_page(ktg_context *context, ktg_pattern *pattern,
+                                                 const ktg_layout_options *options,
+                                                 ktg_layout_report *report);
+
 #ifdef __cplusplus
 }
 #endif

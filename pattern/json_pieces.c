@@ -109,6 +109,10 @@ static ktg_status read_label(const ktg_json *object, const ktg_json_reader *r,
     KTG_TRY(read_optional(object, "rotation_deg", 0, &label->rotation));
     label->rotation = ktg_json_radians(label->rotation);
     KTG_TRY(read_optional(object, "height_mm", LABEL_HEIGHT_MM, &label->height_mm));
+    KTG_TRY(ktg_json_get_optional(object, "leader", KTG_JSON_ARRAY, &at));
+    label->leader = at.value != NULL;
+    if (label->leader)
+        KTG_TRY(ktg_json_numbers(&at, 2, &label->foot.x));
     label->edge = KTG_NONE;
     KTG_TRY(ktg_json_get_optional(object, "edge", KTG_JSON_INTEGER, &at));
     return at.value ? ktg_json_ids_find(&r->edge_ids, &at, &label->edge) : KTG_OK;

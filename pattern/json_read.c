@@ -266,6 +266,8 @@ static ktg_status read_seam(const ktg_json *object, const ktg_json_reader *r, ui
     KTG_TRY(read_seam_side(&sides, 0, r, seam));
     KTG_TRY(read_seam_side(&sides, 1, r, seam));
     KTG_TRY(read_first_sides(object, r, seam));
+    KTG_TRY(ktg_json_get_optional(object, "obvious", KTG_JSON_BOOLEAN, &item));
+    seam->obvious = item.value && json_is_true(item.value);
     KTG_TRY(ktg_json_item(&sides, 0, KTG_JSON_OBJECT, &side));
     KTG_TRY(ktg_json_get(&side, "edges", KTG_JSON_ARRAY, &list));
     for (uint32_t i = 0; i < seam->edge_count; i++) {
@@ -297,6 +299,25 @@ static ktg_status read_seams(const ktg_json_reader *r) {
 
 /* ---- sheets ------------------------------------------------------------------------------- */
 
+/* The most posters, rows and columns; more would be no poster. */
+#define MOST_TILES 100000
+
+/* Counted from 1, as people do. */
+static ktg_status read_tile(const ktg_json *object, ktg_pattern_sheet *sheet) {
+    ktg_json tile;
+    KTG_TRY(ktg_json_get_optional(object, "tile", KTG_JSON_OBJECT, &tile));
+    if (!tile.value)
+        return KTG_OK;
+    KTG_TRY(ktg_json_count(&tile, "poster", MOST_TILES, &sheet->poster));
+    KTG_TRY(ktg_json_count(&tile, "row", MOST_TILES, &sheet->row));
+    KTG_TRY(ktg_json_count(&tile, "column", MOST_TILES, &sheet->column));
+    if (sheet->poster < 1 || sheet->row < 1 || sheet->column < 1)
+        return ktg_json_refuse(&tile, "counts from 1");
+    sheet->row--;
+    sheet->column--;
+    return KTG_OK;
+}
+
 static ktg_status read_sheet(const ktg_json *object, const ktg_json_reader *r,
                              ktg_pattern_sheet *sheet) {
     ktg_json list, item;
@@ -307,6 +328,7 @@ static ktg_status read_sheet(const ktg_json *object, const ktg_json_reader *r,
     KTG_TRY(ktg_json_number(object, "height", &sheet->height_mm));
     KTG_TRY(ktg_json_get(object, "printable", KTG_JSON_ARRAY, &list));
     KTG_TRY(ktg_json_numbers(&list, 4, sheet->printable));
+    KTG_TRY(read_tile(object, sheet));
     KTG_TRY(ktg_json_get(object, "placements", KTG_JSON_ARRAY, &list));
     KTG_JSON_TAKE(&list, sheet->placements, ktg_json_length(&list), ktg_pattern_placement);
     sheet->placement_count = ktg_json_length(&list);

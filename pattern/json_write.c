@@ -253,6 +253,10 @@ static void write_labels(writer *w, const ktg_pattern_piece *piece) {
             put(w, "null");
         else
             count(w, (size_t)label->edge + 1);
+        if (label->leader) {
+            put(w, ",\"leader\":");
+            point(w, label->foot);
+        }
         put(w, "}");
     }
     put(w, "]");
@@ -350,7 +354,7 @@ static void write_seam(writer *w, const ktg_pattern_seam *seam, size_t id) {
         between(w, i, ",");
         put(w, seam->first_side[i] ? "1" : "0");
     }
-    put(w, "]}");
+    put(w, seam->obvious ? "],\"obvious\":true}" : "]}");
 }
 
 static void write_seams(writer *w, const ktg_pattern *p) {
@@ -360,6 +364,17 @@ static void write_seams(writer *w, const ktg_pattern *p) {
         write_seam(w, &p->seams[i], i + 1);
     }
     put(w, "],\n");
+}
+
+/* Where a tile is in its poster, all counted from 1. */
+static void write_tile(writer *w, const ktg_pattern_sheet *sheet) {
+    put(w, ",\"tile\":{\"poster\":");
+    count(w, sheet->poster);
+    put(w, ",\"row\":");
+    count(w, (size_t)sheet->row + 1);
+    put(w, ",\"column\":");
+    count(w, (size_t)sheet->column + 1);
+    put(w, "}");
 }
 
 static void write_sheet(writer *w, const ktg_pattern_sheet *sheet, size_t id) {
@@ -375,7 +390,10 @@ static void write_sheet(writer *w, const ktg_pattern_sheet *sheet, size_t id) {
         put(w, k ? "," : ",\"printable\":[");
         number(w, sheet->printable[k]);
     }
-    put(w, "],\"placements\":[");
+    put(w, "]");
+    if (sheet->poster > 0)
+        write_tile(w, sheet);
+    put(w, ",\"placements\":[");
     for (size_t i = 0; i < sheet->placement_count; i++) {
         const ktg_pattern_placement *placement = &sheet->placements[i];
         put(w, i ? ",{\"piece\":" : "{\"piece\":");

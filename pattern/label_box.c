@@ -5,6 +5,7 @@
 
 #define LETTER_WIDTH 0.85
 #define DOT_WIDTH    0.45
+#define WIDE_WIDTH   1.45 /* of Chinese, Japanese and Korean letters: from U+3000 on */
 
 static ktg_status build_grids(ktg_context *context, ktg_label_sheet *sheet) {
     const ktg_topology *t = sheet->topology;
@@ -40,13 +41,14 @@ void ktg_label_sheet_drop(ktg_label_sheet *sheet) {
     ktg_free(sheet->face_labels);
     ktg_free(sheet->next_label);
     ktg_free(sheet->places);
+    ktg_free(sheet->wants);
 }
 
 double ktg_label_width(const char *text) {
     double width = 0;
     for (const char *c = text; *c; c++)
         if (((unsigned char)*c & 0xc0) != 0x80) /* not inside a UTF-8 character */
-            width += *c == '.' ? DOT_WIDTH : LETTER_WIDTH;
+            width += *c == '.' ? DOT_WIDTH : (unsigned char)*c >= 0xe3 ? WIDE_WIDTH : LETTER_WIDTH;
     return width;
 }
 
@@ -83,6 +85,42 @@ bool ktg_label_face_taken(const ktg_label_sheet *sheet, uint32_t face, const ktg
     for (uint32_t k = sheet->face_labels[face]; k != KTG_NONE; k = sheet->next_label[k])
         if (ktg_label_boxes_meet(&sheet->places[k], box))
             return true;
+    return false;
+}
+
+/* The label's own box, or that of its leader. */
+static ktg_label_box box_of(const ktg_pattern_label *label, bool leader) {
+    ktg_vec2 v = ktg_sub2(label->foot, label->at);
+    double length = ktg_length2(v);
+    if (leader && length > 0)
+        return (ktg_label_box){
+            ktg_madd2(label->at, 0.5, v), ktg_mul2(v, 1 / length), {length / 2, 0.05}};
+    return (ktg_label_box){
+        label->at,
+        {cos(label->rotation), sin(label->rotation)},
+        {label->height_mm * ktg_label_width(label->text) / 2, label->height_mm / 2}};
+}
+
+/* True when the label is so far away that its shape does not matter. */
+static bool is_far(const ktg_pattern_label *label, const ktg_label_box *box) {
+    ktg_vec2 v = ktg_sub2(label->at, box->at);
+    double letters =
+        label->edge == KTG_NONE ? sizeof label->text : sizeof((ktg_label_want){0}.text);
+    double reach = box->half.x + box->half.y + label->height_mm * letters;
+    if (label->leader)
+        reach += fabs(label->foot.x - label->at.x) + fabs(label->foot.y - label->at.y);
+    return fabs(v.x) > reach || fabs(v.y) > reach;
+}
+
+bool ktg_label_piece_taken(const ktg_label_sheet *sheet, uint32_t p, const ktg_label_box *box) {
+    const ktg_pattern_piece *piece = &sheet->pattern->pieces[p];
+    for (size_t i = 0; i < piece->label_count; i++)
+        for (int leader = 0; leader <= piece->labels[i].leader && !is_far(&piece->labels[i], box);
+             leader++) {
+            ktg_label_box other = box_of(&piece->labels[i], leader);
+            if (ktg_label_boxes_meet(&other, box))
+                return true;
+        }
     return false;
 }
 

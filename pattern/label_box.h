@@ -14,6 +14,14 @@ typedef struct ktg_label_box {
     ktg_vec2 at, along, half;
 } ktg_label_box;
 
+/* A number that has found no room: at the edge through `middle` along `along`, the piece on its
+ * left. */
+typedef struct ktg_label_want {
+    uint32_t piece, edge;
+    ktg_vec2 middle, along;
+    char text[16];
+} ktg_label_want;
+
 /* Labels of a pattern as they are written, with what keeps them apart. */
 typedef struct ktg_label_sheet {
     const ktg_topology *topology;
@@ -28,6 +36,8 @@ typedef struct ktg_label_sheet {
     ktg_label_box *places; /* by label number: where it lies */
     size_t place_capacity;
     uint32_t label_count; /* of all pieces */
+    ktg_label_want *wants;
+    size_t want_count, want_capacity;
 } ktg_label_sheet;
 
 KTG_NODISCARD ktg_status ktg_label_sheet_open(ktg_context *context, ktg_label_sheet *sheet);
@@ -42,6 +52,8 @@ bool ktg_label_boxes_meet(const ktg_label_box *a, const ktg_label_box *b);
 bool ktg_label_box_cut(const ktg_label_box *box, ktg_vec2 a, ktg_vec2 b);
 /* True when a label on `face` overlaps the box. */
 bool ktg_label_face_taken(const ktg_label_sheet *sheet, uint32_t face, const ktg_label_box *box);
+/* True when any label of the piece overlaps the box. */
+bool ktg_label_piece_taken(const ktg_label_sheet *sheet, uint32_t piece, const ktg_label_box *box);
 /* True when the piece's border passes through the box. */
 bool ktg_label_on_border(ktg_label_sheet *sheet, uint32_t piece, const ktg_label_box *box);
 
@@ -49,6 +61,10 @@ bool ktg_label_on_border(ktg_label_sheet *sheet, uint32_t piece, const ktg_label
 KTG_NODISCARD ktg_status ktg_label_write(ktg_context *context, ktg_label_sheet *sheet,
                                          uint32_t piece, uint32_t face, uint32_t edge,
                                          const char *text, const ktg_label_box *box);
+
+/* Writes a number near its edge, with a leader (label_leader.c). */
+KTG_NODISCARD ktg_status ktg_label_lead(ktg_context *context, ktg_label_sheet *sheet,
+                                        const ktg_label_want *want);
 
 /* The piece's name, if it needs one, where there is most room (label_name.c). */
 KTG_NODISCARD ktg_status ktg_label_name(ktg_context *context, ktg_label_sheet *sheet,

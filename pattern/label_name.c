@@ -78,19 +78,6 @@ static bool lies_clear(ktg_label_sheet *sheet, uint32_t p, uint32_t face, bool a
     return true;
 }
 
-static bool covers_label(const ktg_pattern_piece *piece, const ktg_label_box *box) {
-    for (size_t i = 0; i < piece->label_count; i++) {
-        const ktg_pattern_label *label = &piece->labels[i];
-        ktg_label_box other = {
-            label->at,
-            {cos(label->rotation), sin(label->rotation)},
-            {label->height_mm * ktg_label_width(label->text) / 2, label->height_mm / 2}};
-        if (ktg_label_boxes_meet(&other, box))
-            return true;
-    }
-    return false;
-}
-
 static ktg_vec2 incentre(const ktg_topology *t, uint32_t face) {
     ktg_vec2 sum = {0, 0};
     double weight = 0;
@@ -145,7 +132,7 @@ static ktg_label_box candidate(const name_search *search, uint32_t face, uint32_
 static bool fits(const name_search *search, uint32_t face, double mm, ktg_label_box *box) {
     box->half = (ktg_vec2){search->wide * mm / 2, mm / 2};
     return lies_clear(search->sheet, search->piece, face, search->across_folds, box) &&
-           !covers_label(&search->sheet->pattern->pieces[search->piece], box);
+           !ktg_label_piece_taken(search->sheet, search->piece, box);
 }
 
 /* The largest height, more than `least`, at which the text fits the candidate's place; 0: none. */

@@ -102,25 +102,6 @@ static stand stand_in_face(const ktg_topology *t, uint32_t h) {
                    h / 3, FROM_EDGE_MM};
 }
 
-/* The least height, in the middle of the edge, ever further from it until it lies on no cut; right
- * at the edge when there is no such place near by. */
-static ktg_label_box nearest_box(ktg_label_sheet *sheet, const stand *s, const char *text) {
-    double mm = KTG_LABEL_LEAST_MM, width = mm * ktg_label_width(text);
-    double middle = (s->left + s->right) / 2;
-    ktg_label_box nearest = box_at(s, middle, FROM_EDGE_MM + mm / 2, mm, width);
-    for (int k = 0; k < 24; k++) {
-        double y = FROM_EDGE_MM / 2 + mm / 2 + (k / 3) * mm / 2;
-        double x = middle + (k % 3 == 0 ? 0 : k % 3 == 1 ? -width / 2 : width / 2);
-        ktg_label_box box = box_at(s, x, y, mm, width);
-        ktg_label_box way = box_at(s, x, y / 2, y - 0.01, 0.01);
-        if (!ktg_label_on_border(sheet, s->piece, &box) &&
-            !ktg_label_on_border(sheet, s->piece, &way) &&
-            !ktg_label_face_taken(sheet, s->face, &box))
-            return box;
-    }
-    return nearest;
-}
-
 /* ---- one number --------------------------------------------------------------------------- */
 
 /* Where the number of an edge stands on one of its sides: on the tab, or in the face. */
@@ -137,19 +118,32 @@ static stand stand_of(const ktg_label_sheet *sheet, uint32_t edge, uint32_t side
     return s;
 }
 
+/* Remembers a number without room, to be written when all others have theirs. */
+static ktg_status put_off(ktg_context *context, ktg_label_sheet *sheet, uint32_t edge, uint32_t h,
+                          const char *text) {
+    const ktg_topology *t = sheet->topology;
+    ktg_vec2 a = ktg_start_of(t, h), b = ktg_end_of(t, h);
+    KTG_TRY(ktg_reserve(context, &sheet->wants, &sheet->want_capacity, sheet->want_count + 1));
+    ktg_label_want *want = &sheet->wants[sheet->want_count++];
+    *want = (ktg_label_want){t->piece_of[h / 3], edge, ktg_mul2(ktg_add2(a, b), 0.5),
+                             ktg_unit2(ktg_sub2(b, a)), ""};
+    snprintf(want->text, sizeof want->text, "%s", text);
+    return KTG_OK;
+}
+
 static ktg_status write_on_side(ktg_context *context, ktg_label_sheet *sheet, uint32_t edge,
                                 uint32_t side, const char *text,
                                 const ktg_pattern_tab *const *tabs) {
+    uint32_t h = ktg_side_halfedge(&sheet->pattern->edges[edge].sides[side]);
     stand s = stand_of(sheet, edge, side, tabs);
     double most = fmax(sheet->options->number_mm, KTG_LABEL_LEAST_MM);
     ktg_label_box box;
     if (!find_box(sheet, &s, text, most, &box)) {
         if (s.face == KTG_NONE) /* no room on the tab: beside it; or above a joint's mark */
-            s = stand_in_face(sheet->topology,
-                              ktg_side_halfedge(&sheet->pattern->edges[edge].sides[side]));
+            s = stand_in_face(sheet->topology, h);
         s.from_edge = FROM_EDGE_MM;
         if (!find_box(sheet, &s, text, most, &box))
-            box = nearest_box(sheet, &s, text);
+            return put_off(context, sheet, edge, h, text);
     }
     return ktg_label_write(context, sheet, s.piece, s.face, edge, text, &box);
 }
@@ -204,6 +198,8 @@ static ktg_status number_seams(ktg_context *context, ktg_label_sheet *sheet,
                                const ktg_pattern_tab *const *tabs) {
     for (uint32_t s = 0; s < sheet->pattern->seam_count; s++) {
         const ktg_pattern_seam *seam = &sheet->pattern->seams[s];
+        if (seam->obvious)
+            break; /* and so are all that follow */
         char text[16];
         number_text(s + 1, text);
         uint32_t best = 0;
@@ -243,6 +239,8 @@ static ktg_status write_numbers(ktg_context *context, ktg_label_sheet *sheet) {
     ktg_status status = sheet->options->numbers == KTG_NUMBER_EDGE
                             ? number_edges(context, sheet, tabs)
                             : number_seams(context, sheet, tabs);
+    for (size_t i = 0; status == KTG_OK && i < sheet->want_count; i++)
+        status = ktg_label_lead(context, sheet, &sheet->wants[i]);
     ktg_free(tabs);
     return status;
 }

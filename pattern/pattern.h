@@ -88,6 +88,8 @@ typedef struct ktg_pattern_label {
     double rotation;  /* radians, counter-clockwise; 0 reads upright when the piece is not turned */
     double height_mm; /* of a digit */
     uint32_t edge;    /* the edge it belongs to, or KTG_NONE (a piece's name) */
+    bool leader;      /* a line leads from it to ... */
+    ktg_vec2 foot;    /* ... this point, at its edge */
 } ktg_pattern_label;
 
 typedef struct ktg_pattern_piece {
@@ -124,6 +126,8 @@ typedef struct ktg_pattern_seam {
     uint8_t *first_side;  /* edge_count: which of the edge's sides belongs to the seam's side 0 */
     uint32_t pieces[2];   /* indices into pieces (the same one for a seam of a piece with itself) */
     double lengths_mm[2]; /* measured in 2D */
+    bool obvious; /* paper: its sides meet in a point and lie side by side, so that it needs no
+                     number; such seams come last */
 } ktg_pattern_seam;
 
 typedef struct ktg_pattern_component {
@@ -137,7 +141,8 @@ typedef enum ktg_sheet_kind { KTG_SHEET, KTG_ROLL, KTG_TILE } ktg_sheet_kind;
 /* A paper size with its margins. */
 typedef struct ktg_sheet_format {
     char name[32];              /* "A4", "Letter", "300x200" */
-    double width_mm, height_mm; /* as it is put into the printer: portrait unless said otherwise */
+    double width_mm, height_mm; /* as it is put into the printer: portrait unless said otherwise;
+                                   INFINITY: as large as the pattern needs (ktg_layout_page) */
     double margin_mm;           /* on all four sides; the printable area is what is left */
 } ktg_sheet_format;
 
@@ -154,6 +159,9 @@ typedef struct ktg_pattern_sheet {
     double printable[4]; /* x0, y0, x1, y1 */
     size_t placement_count;
     ktg_pattern_placement *placements;
+    uint32_t poster; /* KTG_TILE: of which poster, from 1; 0: told of none, and for other kinds */
+    uint32_t row,
+        column; /* of a poster's tile: where in it, row 0 at the top, column 0 at the left */
 } ktg_pattern_sheet;
 
 /* ---- the pattern -------------------------------------------------------------------------- */
@@ -202,8 +210,10 @@ KTG_API KTG_NODISCARD ktg_status ktg_pattern_set_omitted(ktg_context *context, k
 KTG_API KTG_NODISCARD ktg_status ktg_pattern_scale(ktg_context *context, ktg_pattern *pattern,
                                                    double factor);
 
-/* "a4", "A3", "letter", "legal", "tabloid", "210x297" (mm) or "8.5x11in"; the margin is left as it
- * is in *format. KTG_ARGUMENT names what is known. */
+/* "a0" to "a6", "a3+", "b3" to "b5", "jis-b3" to "jis-b5", "letter", "legal", "tabloid", "ledger",
+ * "statement", "ansi-c" to "ansi-e", "210x297" (mm) or "8.5x11in"; "fit" for a page as large as the
+ * pattern needs (both sides are INFINITY). The margin is left as it is in *format. KTG_ARGUMENT
+ * names what is known. */
 KTG_API KTG_NODISCARD ktg_status ktg_sheet_parse(ktg_context *context, const char *text,
                                                  ktg_sheet_format *format);
 /* A4 with margins of 10 mm. */

@@ -3,6 +3,11 @@
 
 #include "core/memory.h"
 
+/* Edges that meet in a notch narrower than this, nowhere further apart than this, are seen to
+ * belong together. */
+#define OBVIOUS_ANGLE (50 * KTG_PI / 180)
+#define OBVIOUS_MM    12.0
+
 static bool is_cut(const ktg_topology *t, uint32_t h) {
     return ktg_edge_at(t, h)->kind == KTG_EDGE_CUT;
 }
@@ -85,6 +90,66 @@ static void forget_seams(ktg_pattern *pattern) {
         pattern->edges[e].seam = KTG_NONE;
 }
 
+/* The two sides of a notch: from the leaf of the cut tree, `out` leaves it and `in` comes to it.
+ * The angle between them, outside the paper; larger than pi where they overlap, which they do not.
+ */
+static double notch_angle(const ktg_topology *t, uint32_t in, uint32_t out) {
+    ktg_vec2 a = ktg_sub2(ktg_end_of(t, out), ktg_start_of(t, out));
+    ktg_vec2 b = ktg_sub2(ktg_start_of(t, in), ktg_end_of(t, in));
+    double angle = atan2(ktg_cross2(b, a), ktg_dot2(b, a));
+    return angle < 0 ? angle + 2 * KTG_PI : angle;
+}
+
+static uint32_t halfedge_of(const ktg_pattern *pattern, const ktg_pattern_seam *seam, uint32_t k,
+                            uint32_t side) {
+    return ktg_side_halfedge(&pattern->edges[seam->edges[k]].sides[seam->first_side[k] ^ side]);
+}
+
+/* How far apart the middles of an edge's two copies are. */
+static double apart(const ktg_topology *t, uint32_t h, uint32_t mate) {
+    ktg_vec2 sum = ktg_add2(ktg_start_of(t, h), ktg_end_of(t, h));
+    return ktg_length2(ktg_sub2(sum, ktg_add2(ktg_start_of(t, mate), ktg_end_of(t, mate)))) / 2;
+}
+
+/* True when the seam begins or ends at a narrow notch, and none of it is far from its mate. */
+static bool is_obvious(const ktg_topology *t, const ktg_pattern *pattern,
+                       const ktg_pattern_seam *seam) {
+    uint32_t last = seam->edge_count - 1;
+    uint32_t first = halfedge_of(pattern, seam, 0, 0), end = halfedge_of(pattern, seam, last, 0);
+    double angle = 2 * KTG_PI;
+    if (pattern->mode != KTG_PAPER || seam->pieces[0] != seam->pieces[1])
+        return false;
+    if (ktg_border_previous(t, first) == ktg_mate(t, first))
+        angle = notch_angle(t, ktg_mate(t, first), first);
+    else if (ktg_border_next(t, end) == ktg_mate(t, end))
+        angle = notch_angle(t, end, ktg_mate(t, end));
+    bool obvious = angle <= OBVIOUS_ANGLE;
+    for (uint32_t k = 0; obvious && k <= last; k++)
+        obvious = apart(t, halfedge_of(pattern, seam, k, 0), halfedge_of(pattern, seam, k, 1)) <=
+                  OBVIOUS_MM;
+    return obvious;
+}
+
+/* Puts the obvious seams last, the others keep their order: they are numbered from 1 on. */
+static ktg_status sort_seams(ktg_context *context, const ktg_topology *t, ktg_pattern *pattern) {
+    size_t count = pattern->seam_count, next = 0;
+    ktg_pattern_seam *sorted = ktg_new(context, count, ktg_pattern_seam);
+    if (!sorted)
+        return KTG_MEMORY;
+    for (size_t s = 0; s < count; s++)
+        pattern->seams[s].obvious = is_obvious(t, pattern, &pattern->seams[s]);
+    for (int obvious = 0; obvious < 2; obvious++)
+        for (size_t s = 0; s < count; s++)
+            if (pattern->seams[s].obvious == obvious)
+                sorted[next++] = pattern->seams[s];
+    ktg_free(pattern->seams);
+    pattern->seams = sorted;
+    for (size_t s = 0; s < count; s++)
+        for (uint32_t k = 0; k < sorted[s].edge_count; k++)
+            pattern->edges[sorted[s].edges[k]].seam = (uint32_t)s;
+    return KTG_OK;
+}
+
 ktg_status ktg_seams_find(ktg_context *context, const ktg_topology *t, ktg_pattern *pattern) {
     size_t capacity = 0;
     forget_seams(pattern);
@@ -98,5 +163,5 @@ ktg_status ktg_seams_find(ktg_context *context, const ktg_topology *t, ktg_patte
         KTG_TRY(ktg_reserve(context, &pattern->seams, &capacity, pattern->seam_count + 1));
         KTG_TRY(write_seam(context, t, pattern, first, count));
     }
-    return KTG_OK;
+    return sort_seams(context, t, pattern);
 }

@@ -18,8 +18,28 @@ static const struct {
     const char *name;
     double width_mm, height_mm;
 } known[] = {
-    {"A4", 210, 297},  {"A3", 297, 420},         {"A2", 420, 594},        {"A1", 594, 841},
-    {"A0", 841, 1189}, {"Letter", 215.9, 279.4}, {"Legal", 215.9, 355.6}, {"Tabloid", 279.4, 431.8},
+    {"A4", 210, 297},
+    {"A0", 841, 1189},
+    {"A1", 594, 841},
+    {"A2", 420, 594},
+    {"A3", 297, 420},
+    {"A3+", 329, 483},
+    {"A5", 148, 210},
+    {"A6", 105, 148},
+    {"B3", 353, 500},
+    {"B4", 250, 353},
+    {"B5", 176, 250},
+    {"JIS-B3", 364, 515},
+    {"JIS-B4", 257, 364},
+    {"JIS-B5", 182, 257},
+    {"Letter", 215.9, 279.4},
+    {"Legal", 215.9, 355.6},
+    {"Tabloid", 279.4, 431.8},
+    {"Ledger", 279.4, 431.8},
+    {"Statement", 139.7, 215.9},
+    {"ANSI-C", 431.8, 558.8},
+    {"ANSI-D", 558.8, 863.6},
+    {"ANSI-E", 863.6, 1117.6},
 };
 
 void ktg_sheet_defaults(ktg_sheet_format *format) {
@@ -98,11 +118,12 @@ static void name_measures(ktg_sheet_format *format) {
 }
 
 static ktg_status unknown_sheet(ktg_context *context, const char *text) {
-    return ktg_fail(
-        context, KTG_ARGUMENT,
-        "\"%.40s\" is not a paper size: use a4, a3, a2, a1, a0, letter, legal, tabloid, "
-        "or width x height such as 210x297, 21x29.7cm or 8.5x11in",
-        text);
+    return ktg_fail(context, KTG_ARGUMENT,
+                    "\"%.40s\" is not a paper size: use a0 to a6, a3+, b3 to b5, jis-b3 to jis-b5, "
+                    "letter, legal, "
+                    "tabloid, ledger, statement, ansi-c to ansi-e, "
+                    "width x height such as 210x297, 21x29.7cm or 8.5x11in, or fit",
+                    text);
 }
 
 ktg_status ktg_sheet_parse(ktg_context *context, const char *text, ktg_sheet_format *format) {
@@ -116,6 +137,10 @@ ktg_status ktg_sheet_parse(ktg_context *context, const char *text, ktg_sheet_for
             return KTG_OK;
         }
     double width, height;
+    if (strcasecmp(text, "fit") == 0) {
+        *format = (ktg_sheet_format){"fit", INFINITY, INFINITY, format->margin_mm};
+        return KTG_OK;
+    }
     if (!read_measures(text, &width, &height))
         return unknown_sheet(context, text);
     if (!(width >= LEAST_MM) || !(width <= MOST_MM) || !(height >= LEAST_MM) ||

@@ -124,28 +124,51 @@ ktg_status ktg_outputs_check(ktg_context *context, const ktg_pipeline_options *o
     return KTG_OK;
 }
 
+/* Names of sheets may meet another output's only now. */
 static ktg_status open_next(ktg_context *context, ktg_outputs *open, const char *path,
                             ktg_output **output) {
+    for (size_t i = 0; i < open->count; i++)
+        if (strcmp(path, ktg_output_path(open->items[i])) == 0 && strcmp(path, "/dev/null") != 0)
+            return ktg_fail(context, KTG_ARGUMENT,
+                            "%s: is to be written twice; name another output", path);
     KTG_TRY(ktg_reserve(context, &open->items, &open->capacity, open->count + 1));
     KTG_TRY(ktg_output_open(context, path, &open->items[open->count]));
     *output = open->items[open->count++];
     return KTG_OK;
 }
 
-/* A file for each sheet where there are several: NAME-01.svg, NAME-02.svg, ... */
-static ktg_status write_sheet(ktg_context *context, const ktg_pipeline_options *options,
-                              const ktg_pattern *pattern, const char *path, output_kind kind,
-                              size_t sheet, ktg_outputs *open) {
-    const char *ending = ending_of(path);
+/* Where a sheet's number goes in a path: its "%d" in the last part; NULL where there is none. */
+static const char *number_place(const char *path) {
+    const char *slash = strrchr(path, '/');
+    return strstr(slash ? slash + 1 : path, "%d");
+}
+
+/* The path of one sheet's file: the number in the place of "%d", or NAME-01.svg, NAME-02.svg, ...
+ * where there are several. Free with ktg_free. */
+static char *sheet_path(ktg_context *context, const ktg_pattern *pattern, const char *path,
+                        size_t sheet) {
+    const char *ending = ending_of(path), *place = number_place(path);
     int digits = pattern->sheet_count > 999 ? 6 : pattern->sheet_count > 99 ? 3 : 2;
     size_t size = strlen(path) + 32;
     char *name = ktg_alloc(context, size, 1);
     if (!name)
-        return KTG_MEMORY;
-    if (pattern->sheet_count > 1)
+        return NULL;
+    if (place)
+        snprintf(name, size, "%.*s%0*zu%s", (int)(place - path), path, digits, sheet + 1,
+                 place + 2);
+    else if (pattern->sheet_count > 1)
         snprintf(name, size, "%.*s-%0*zu%s", (int)(ending - path), path, digits, sheet + 1, ending);
     else
         snprintf(name, size, "%s", path);
+    return name;
+}
+
+static ktg_status write_sheet(ktg_context *context, const ktg_pipeline_options *options,
+                              const ktg_pattern *pattern, const char *path, output_kind kind,
+                              size_t sheet, ktg_outputs *open) {
+    char *name = sheet_path(context, pattern, path, sheet);
+    if (!name)
+        return KTG_MEMORY;
     ktg_output *output = NULL;
     ktg_status status = open_next(context, open, name, &output);
     ktg_free(name);
@@ -163,6 +186,10 @@ static ktg_status write_one(ktg_context *context, const ktg_pipeline_options *op
         KTG_TRY(open_next(context, open, path, &output));
         return kind == OUTPUT_PDF ? ktg_render_pdf(context, pattern, &options->render, output)
                                   : ktg_pattern_write_json(context, pattern, output);
+    }
+    if (kind == OUTPUT_PNG && pattern->sheet_count > 1 && !number_place(path)) {
+        KTG_TRY(open_next(context, open, path, &output));
+        return ktg_render_contact(context, pattern, &options->render, output);
     }
     for (size_t sheet = 0; sheet < pattern->sheet_count; sheet++)
         KTG_TRY(write_sheet(context, options, pattern, path, kind, sheet, open));

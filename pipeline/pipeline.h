@@ -27,12 +27,20 @@ extern "C" {
 
 /* How large the finished model becomes. */
 typedef enum ktg_size_rule {
-    KTG_SIZE_FIT,    /* paper: as large as one sheet allows; cloth: not allowed */
+    KTG_SIZE_FIT,    /* paper: as large as `sheets` sheets allow; cloth: not allowed */
     KTG_SIZE_HEIGHT, /* the extent along `up` is size_mm */
     KTG_SIZE_WIDTH,  /* the extent along x (z when x is up) is size_mm */
     KTG_SIZE_LENGTH, /* the extent along the third axis is size_mm */
     KTG_SIZE_FACTOR  /* size_mm millimetres per unit of the model file */
 } ktg_size_rule;
+
+/* What is done when something is larger than a sheet at the size that is asked for. */
+typedef enum ktg_large {
+    KTG_LARGE_SPLIT, /* paper: the fewest pieces such that each fits (cloth: like error) */
+    KTG_LARGE_TILE,  /* larger pieces become posters: they are spread over sheets that overlap */
+    KTG_LARGE_SCALE, /* the size shrinks until every piece fits a sheet */
+    KTG_LARGE_ERROR  /* the run fails and says which size would fit */
+} ktg_large;
 
 typedef enum ktg_axis { KTG_AXIS_AUTO, KTG_AXIS_X, KTG_AXIS_Y, KTG_AXIS_Z } ktg_axis;
 
@@ -54,17 +62,21 @@ typedef struct ktg_pipeline_options {
 
     ktg_size_rule size_rule;
     double size_mm;
-    ktg_axis up; /* auto: z for STL, y otherwise */
+    uint32_t sheets;   /* with KTG_SIZE_FIT: how many it may take; 1 */
+    ktg_axis up;       /* auto: z for STL, y otherwise */
+    ktg_large large;   /* split; cloth wants tile */
+    double overlap_mm; /* of the sheets of a poster; 10 */
 
-    ktg_unfold_options unfold; /* its sheet, finish, scale and rules are set by the run */
+    ktg_unfold_options unfold; /* its sheet, finish, scale, oversize and rules are set by the run */
     ktg_flatten_options flatten;
     ktg_finish_options finish;
     ktg_layout_options layout; /* what unfold.seconds leaves limits its time */
-    ktg_render_options render;
+    ktg_render_options render; /* its `up` is set by the run */
 
     const char *const *outputs; /* output_count paths, kinds by ending: .pdf .svg .png .json; "-" is
-                                   PDF on standard output. SVG and PNG of several sheets become
-                                   NAME-01.svg, NAME-02.svg, ... */
+                                   PDF on standard output. A PNG shows all sheets, an SVG of several
+                                   becomes NAME-01.svg, NAME-02.svg, ...; with "%d" in its name
+                                   either becomes a file for each sheet, its number in that place */
     size_t output_count;
     const char *report; /* where the figures go as JSON, or NULL; one of the outputs in every other
                            way */
@@ -90,6 +102,7 @@ typedef struct ktg_pipeline_report {
     ktg_layout_report layout;
     uint32_t faces, pieces, components;
     uint32_t self_intersections; /* of the surface that was unfolded; pairs of faces */
+    ktg_vec2 sheet_mm; /* width and height of the sheets; of a page that fits, what it became */
     double mm_per_unit;
     ktg_vec3 size_mm; /* of the finished model: width, height (along up), length */
     ktg_axis up;      /* the axis that was taken */

@@ -4,19 +4,14 @@
 #include "core/vec.h"
 #include "pipeline/hand.h"
 #include "pipeline/outputs.h"
-#include "pipeline/sheets.h"
 #include "pipeline/size.h"
+#include "pipeline/stages.h"
 
 #include <string.h>
 
-static const char *base_name(const char *path) {
-    const char *slash = strrchr(path, '/');
-    return slash ? slash + 1 : path;
-}
-
 /* The file's name without folder and ending; "model" where nothing is left. Free with ktg_free. */
 static char *title_of(ktg_context *context, const char *path) {
-    const char *name = base_name(path), *dot = strrchr(name, '.');
+    const char *name = ktg_base_name(path), *dot = strrchr(name, '.');
     size_t length = dot && dot > name ? (size_t)(dot - name) : strlen(name);
     if (length == 0 || strcmp(path, "-") == 0)
         return ktg_copy_text(context, "model", SIZE_MAX);
@@ -60,18 +55,6 @@ static ktg_status simplify(ktg_context *context, const ktg_pipeline_options *opt
     return KTG_OK;
 }
 
-/* Fewer pieces than somebody asked for are not passed over in silence. */
-static void tell_pieces(ktg_context *context, const ktg_unfold_options *options,
-                        const ktg_unfold_report *report) {
-    uint64_t wanted = (uint64_t)options->pieces * report->parts;
-    bool stopped =
-        report->stopped_by == KTG_STOPPED_TIME || report->stopped_by == KTG_STOPPED_INTERRUPT;
-    if (report->pieces < wanted && !stopped)
-        ktg_log(context, KTG_LOG_WARNING,
-                "%u pieces instead of %llu: there are no more faces, or edges that may be cut",
-                report->pieces, (unsigned long long)wanted);
-}
-
 static ktg_status repair(ktg_context *context, const ktg_pipeline_options *options, ktg_mesh *mesh,
                          ktg_pipeline_report *report) {
     KTG_TRY(ktg_mesh_check(context, mesh, false, &report->model));
@@ -90,51 +73,6 @@ static ktg_status repair(ktg_context *context, const ktg_pipeline_options *optio
     return KTG_OK;
 }
 
-static ktg_status make_pieces(ktg_context *context, const ktg_pipeline_options *options,
-                              const ktg_mesh *mesh, const ktg_hand *hand, const char *title,
-                              ktg_pattern **pattern, ktg_pipeline_report *report) {
-    double start = ktg_clock_seconds();
-    if (options->mode == KTG_PAPER) {
-        ktg_progress(context, "unfold", 0, NULL);
-        ktg_unfold_options unfold = options->unfold;
-        unfold.sheet = options->layout.sheet;
-        unfold.finish = options->finish;
-        unfold.rules = hand->rules;
-        unfold.rule_count = hand->rule_count;
-        KTG_TRY(ktg_size_known(context, options, mesh, &unfold.mm_per_unit));
-        if (unfold.oversize == KTG_OVERSIZE_ERROR)
-            unfold.mm_per_unit = 0; /* as large as can be, to say how large that is */
-        KTG_TRY(ktg_unfold(context, mesh, title, &unfold, pattern, &report->unfold));
-        tell_pieces(context, &unfold, &report->unfold);
-    } else {
-        ktg_progress(context, "flatten", 0, NULL);
-        KTG_TRY(ktg_flatten(context, mesh, title, &options->flatten, pattern, &report->flatten));
-    }
-    report->seconds_unfold = ktg_clock_seconds() - start;
-    ktg_pattern *p = *pattern;
-    ktg_free(p->model_file);
-    p->model_file = ktg_copy_text(context, base_name(options->model), SIZE_MAX);
-    p->model_faces = report->model.faces;
-    p->simplified = report->simplify.faces_after != report->simplify.faces_before;
-    if (!p->model_file)
-        return KTG_MEMORY;
-    return ktg_pattern_set_omitted(context, p, options->omit, options->omit_count);
-}
-
-static ktg_status put_on_sheets(ktg_context *context, const ktg_pipeline_options *options,
-                                ktg_pattern **pattern, ktg_pipeline_report *report) {
-    ktg_progress(context, "sheets", 0, NULL);
-    KTG_TRY(ktg_sheets_put(context, options, pattern, report));
-    const ktg_pattern *p = *pattern;
-    report->faces = p->face_count;
-    report->pieces = (uint32_t)p->piece_count;
-    report->components = (uint32_t)p->component_count;
-    report->mm_per_unit = p->mm_per_unit;
-    report->up = ktg_size_up(options);
-    report->size_mm = ktg_size_of(p->vertices, p->vertex_count, report->up);
-    return KTG_OK;
-}
-
 /* What one run takes and frees. */
 typedef struct job {
     ktg_mesh *mesh;
@@ -149,8 +87,8 @@ static ktg_status shape(ktg_context *context, const ktg_pipeline_options *option
                         ktg_pipeline_report *report) {
     KTG_TRY(repair(context, options, j->mesh, report));
     KTG_TRY(ktg_hand_make_rules(context, options, j->mesh, &j->hand));
-    KTG_TRY(make_pieces(context, options, j->mesh, &j->hand, j->title, &j->pattern, report));
-    return put_on_sheets(context, options, &j->pattern, report);
+    ktg_stage stage = {options, j->mesh, &j->hand, j->title, report};
+    return ktg_stage_pattern(context, &stage, &j->pattern);
 }
 
 static ktg_status run(ktg_context *context, const ktg_pipeline_options *options, job *j,
@@ -169,6 +107,7 @@ static ktg_status run(ktg_context *context, const ktg_pipeline_options *options,
     ktg_pipeline_options with_title = *options;
     if (!with_title.render.title)
         with_title.render.title = j->title;
+    with_title.render.up = (unsigned)(ktg_size_up(options) - KTG_AXIS_X);
     KTG_TRY(ktg_outputs_write(context, &with_title, j->pattern, &j->outputs));
     report->seconds = ktg_clock_seconds() - j->start;
     KTG_TRY(ktg_outputs_write_report(context, options, report, &j->outputs));

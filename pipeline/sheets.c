@@ -26,6 +26,16 @@ static double seconds_left(const task *t) {
     return limit - t->report->seconds_unfold - (ktg_clock_seconds() - t->began);
 }
 
+/* On sheets, on posters too, or on one page. */
+static ktg_status lay_out(const task *t, const ktg_layout_options *layout, ktg_pattern *pattern,
+                          ktg_layout_report *report) {
+    if (ktg_layout_is_page(&layout->sheet))
+        return ktg_layout_page(t->context, pattern, layout, report);
+    if (t->options->large == KTG_LARGE_TILE && !layout->roll)
+        return ktg_layout_tile(t->context, pattern, layout, t->options->overlap_mm, report);
+    return ktg_layout_place(t->context, pattern, layout, report);
+}
+
 static ktg_status put(const task *t, const ktg_layout_options *wish, double mm_per_unit,
                       ktg_pattern *pattern, ktg_pipeline_report *report) {
     ktg_layout_options layout = *wish;
@@ -35,7 +45,7 @@ static ktg_status put(const task *t, const ktg_layout_options *wish, double mm_p
     double left = seconds_left(t);
     if (!isinf(left))
         layout.seconds = fmax(LEAST_SECONDS, left);
-    return ktg_layout_place(t->context, pattern, &layout, &report->layout);
+    return lay_out(t, &layout, pattern, &report->layout);
 }
 
 /* A copy of the pattern at that size; *fits tells whether it lies on one sheet, and takes the place

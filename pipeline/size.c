@@ -1,5 +1,6 @@
 /* pipeline/size.c - how large the finished model becomes. */
 #include "pipeline/size.h"
+#include "core/memory.h"
 #include "core/vec.h"
 
 #include <string.h>
@@ -35,6 +36,10 @@ ktg_status ktg_size_check(ktg_context *context, const ktg_pipeline_options *opti
                         "margins of %g mm leave nothing of a sheet of %g x %g mm", sheet->margin_mm,
                         sheet->width_mm, sheet->height_mm);
     if (options->size_rule == KTG_SIZE_FIT) {
+        if (ktg_layout_is_page(sheet))
+            return ktg_fail(context, KTG_ARGUMENT,
+                            "a page as large as the pattern needs does not say how large that is: "
+                            "give a height, a width, a length or a scale");
         if (options->layout.roll)
             return ktg_fail(context, KTG_ARGUMENT,
                             "a roll has no size that a model could fill: say how large it is to "
@@ -85,5 +90,8 @@ ktg_status ktg_size_scale(ktg_context *context, const ktg_pipeline_options *opti
     if (options->size_rule == KTG_SIZE_FIT)
         return ktg_pattern_fit(context, pattern, &options->layout.sheet, options->layout.gap_mm,
                                &options->finish, mm_per_unit);
-    return asked_scale(context, options, pattern->vertices, pattern->vertex_count, mm_per_unit);
+    KTG_TRY(asked_scale(context, options, pattern->vertices, pattern->vertex_count, mm_per_unit));
+    return options->large == KTG_LARGE_SCALE && !ktg_layout_is_page(&options->layout.sheet)
+               ? ktg_size_shrink(context, options, pattern, mm_per_unit)
+               : KTG_OK;
 }

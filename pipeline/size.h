@@ -22,4 +22,9 @@ KTG_NODISCARD ktg_status ktg_size_known(ktg_context *context, const ktg_pipeline
 KTG_NODISCARD ktg_status ktg_size_scale(ktg_context *context, const ktg_pipeline_options *options,
                                         const ktg_pattern *pattern, double *mm_per_unit);
 
+/* Makes *mm_per_unit smaller until every piece, finished at that scale, fits a sheet; leaves it as
+ * it is where all do. KTG_GEOMETRY when no scale is small enough. */
+KTG_NODISCARD ktg_status ktg_size_shrink(ktg_context *context, const ktg_pipeline_options *options,
+                                         const ktg_pattern *pattern, double *mm_per_unit);
+
 #endif

@@ -32,6 +32,8 @@ typedef enum ktg_stroke {
     KTG_STROKE_DART,
     KTG_STROKE_NOTCH,
     KTG_STROKE_INTERNAL,
+    KTG_STROKE_TRIM, /* of a poster's sheet: cut here ... */
+    KTG_STROKE_JOIN, /* ... and lay the neighbour up to here */
     KTG_STROKE_COUNT
 } ktg_stroke;
 
@@ -139,13 +141,25 @@ void ktg_draw_outline(const ktg_page *page, const ktg_pattern_placement *placeme
 void ktg_draw_joints(const ktg_page *page, const ktg_pattern_placement *placement);
 void ktg_draw_labels(const ktg_page *page, const ktg_pattern_placement *placement);
 
-/* ---- text.c ------------------------------------------------------------------------------- */
+/* ---- font.c, text.c
+ * ------------------------------------------------------------------------------- */
+
+/* The characters of a clean text in the order in which they stand from left to right: `text`
+ * itself, or `ordered` where some are written the other way. */
+const char *ktg_text_order(const char *text, char ordered[KTG_TITLE_SIZE]);
+
+#define KTG_FONT_FAMILY "DejaVu Sans"
+
+/* Chooses another typeface where the chosen one lacks letters of `text`, and goes back to the usual
+ * one. */
+cairo_font_face_t *ktg_font_begin(cairo_t *cairo, const char *text);
+void ktg_font_end(cairo_t *cairo, cairo_font_face_t *usual);
 
 typedef enum ktg_face { KTG_FACE_PLAIN, KTG_FACE_BOLD } ktg_face;
 
 /* Copies what is valid UTF-8 of `text` (up to `length` bytes or its end) into `clean` (`size`
- * bytes): what is not becomes U+FFFD, control characters become spaces, and what has no room is
- * left out, whole characters at a time. */
+ * bytes): what is not becomes U+FFFD, control characters become spaces; marks of direction, and
+ * what has no room, are left out, whole characters at a time. */
 void ktg_text_clean(const char *text, size_t length, char *clean, size_t size);
 
 /* Chooses face and size; `digit_mm` is the height of a digit. */
@@ -154,15 +168,21 @@ void ktg_text_set(cairo_t *cairo, ktg_face face, double digit_mm);
 double ktg_text_width(cairo_t *cairo, const char *text);
 /* `text` starting at (x, baseline). */
 void ktg_text_draw(cairo_t *cairo, double x, double baseline, const char *text);
+/* A short text with its middle at the origin, which is turned by `angle` counter-clockwise against
+ * the page. */
+void ktg_number_draw(cairo_t *cairo, double angle, double digit_mm, const char *text);
+/* The white ground of that text: a stroke of the given width around its letters. */
+void ktg_text_ground(cairo_t *cairo, double x, double baseline, const char *text, double width);
 /* `text` shortened with an ellipsis until it is at most `width` wide; "" when not even that fits.
  * `text` is clean and is changed in place; `size` is what its array holds. */
 void ktg_text_shorten(cairo_t *cairo, double width, char *text, size_t size);
 
-/* ---- furniture.c, block.c, legend.c, ruler.c, guide.c ------------------------------------- */
+/* ---- furniture.c, block.c, pocket.c, legend.c, ruler.c, guide.c
+ * ------------------------------------- */
 
-/* Draws title, legend and rulers around or between the pieces; false when there was no room for
- * them. */
-bool ktg_furniture_draw(const ktg_page *page);
+/* Draws title, legend and rulers around or between the pieces; *complete is false when there was no
+ * room for some of them. */
+KTG_NODISCARD ktg_status ktg_furniture_draw(const ktg_page *page, bool *complete);
 
 #define KTG_DETAIL_COUNT 4
 #define KTG_DETAIL_SIZE  96
@@ -172,23 +192,42 @@ bool ktg_furniture_draw(const ktg_page *page);
 size_t ktg_furniture_details(const ktg_drawing *drawing, size_t sheet,
                              char details[KTG_DETAIL_COUNT][KTG_DETAIL_SIZE]);
 
-/* The same furniture as one block, in a corner no piece reaches into; false when there is none. */
-bool ktg_block_draw(const ktg_page *page);
+#define KTG_POCKETS 8
 
-/* True when no piece comes within `clearance` mm of the area. */
-bool ktg_page_is_free(const ktg_page *page, ktg_area area, double clearance);
+/* What is free of a sheet. Free with ktg_pockets_drop. */
+typedef struct ktg_pockets {
+    int width, height; /* dots */
+    double scale;      /* of them in a millimetre */
+    uint32_t *sums;    /* (width + 1) x (height + 1) */
+    ktg_area within;   /* nothing is looked for outside */
+    size_t taken_count;
+    ktg_area taken[KTG_POCKETS];
+} ktg_pockets;
+
+/* What the pieces leave free of `within`. */
+KTG_NODISCARD ktg_status ktg_pockets_find(const ktg_page *page, ktg_area within,
+                                          ktg_pockets *pockets);
+void ktg_pockets_drop(ktg_pockets *pockets);
+/* A free rectangle of that size, which is taken from now on; false when there is none. */
+bool ktg_pockets_take(ktg_pockets *pockets, double width, double height, ktg_area *area);
+
+/* The same furniture, only the legend, or a picture of the model, in pockets. False when there was
+ * no room for all of it. */
+bool ktg_block_draw(const ktg_page *page, ktg_pockets *pockets);
+bool ktg_block_legend(const ktg_page *page, ktg_pockets *pockets);
+KTG_NODISCARD ktg_status ktg_block_solid(const ktg_page *page, ktg_pockets *pockets);
 
 /* The word of a stroke for the legend; `brief` leaves out what goes without saying. */
 const char *ktg_legend_word(ktg_stroke stroke, bool brief);
 /* A sample of a stroke from (x, y), `width` long. */
 void ktg_legend_sample(const ktg_drawing *drawing, cairo_t *cairo, ktg_stroke stroke, double x,
                        double y, double width);
-/* The width of the legend of all strokes that occur, in one line. */
-double ktg_legend_width(const ktg_drawing *drawing, cairo_t *cairo, bool brief);
+/* The width of the legend of the page's strokes, in one line. */
+double ktg_legend_width(const ktg_page *page, bool brief);
 /* Draws it from x on, the samples at height y, wrapped after `width`; returns the number of lines,
  * KTG_LEGEND_LINE_MM apart. With `dry` nothing is drawn. */
-size_t ktg_legend_draw(const ktg_drawing *drawing, cairo_t *cairo, double x, double y, double width,
-                       bool brief, bool dry);
+size_t ktg_legend_draw(const ktg_page *page, double x, double y, double width, bool brief,
+                       bool dry);
 #define KTG_LEGEND_LINE_MM 3.6
 
 /* A ruler from (x, y) to the right: millimetres above the line, inches below, no more than
@@ -197,6 +236,66 @@ size_t ktg_legend_draw(const ktg_drawing *drawing, cairo_t *cairo, double x, dou
 void ktg_ruler_draw(cairo_t *cairo, double x, double y, bool whole, bool upright);
 /* How much room it takes along its line. */
 double ktg_ruler_length(bool whole);
+
+/* ---- column.c ----------------------------------------------------------------------------- */
+
+/* The state of a page that is written from top to bottom. */
+typedef struct ktg_column {
+    const ktg_drawing *drawing;
+    cairo_t *cairo;
+    double x, y, width; /* y moves down as lines are written */
+    double floor;       /* where the page ends */
+    double scale;       /* 1, less on small paper */
+} ktg_column;
+
+ktg_column ktg_column_begin(const ktg_drawing *drawing, cairo_t *cairo, double width_mm,
+                            double height_mm);
+void ktg_column_write(ktg_column *at, ktg_face face, double digit_mm, double indent,
+                      const char *text);
+void ktg_column_skip(ktg_column *at, double mm);
+
+/* ---- tile.c, map.c, solid.c, cover.c, names.c
+ * ------------------------------------------------------ */
+
+#define KTG_NAME_SIZE 128
+
+/* What a piece is called: "body", or "body 2 of 3" where its part of the model has several. */
+void ktg_drawing_piece_name(const ktg_drawing *drawing, uint32_t piece, char name[KTG_NAME_SIZE]);
+
+/* Only "2 of 3"; "" where its part of the model has no other piece. */
+void ktg_drawing_piece_part(const ktg_drawing *drawing, uint32_t piece, char part[KTG_NAME_SIZE]);
+
+/* True when the sheet is part of a poster whose other sheets are known. */
+bool ktg_is_tile(const ktg_pattern_sheet *sheet);
+/* How many posters there are. */
+uint32_t ktg_poster_count(const ktg_pattern *pattern);
+/* "B3": row B, column 3; "2-B3" of the second of several posters. */
+void ktg_tile_name(const ktg_drawing *drawing, const ktg_pattern_sheet *sheet,
+                   char name[KTG_NAME_SIZE]);
+/* The tile `down` rows below and `right` columns to the right of this one, or NULL. */
+const ktg_pattern_sheet *ktg_tile_neighbour(const ktg_drawing *drawing,
+                                            const ktg_pattern_sheet *sheet, int down, int right);
+
+/* What lies under a tile's drawing, its name; and what lies over it: where neighbours join. */
+void ktg_tile_draw_ground(const ktg_page *page);
+void ktg_tile_draw_joins(const ktg_page *page);
+
+/* The extent of a poster, and its map in `area` at `scale` (millimetres of paper for one of the
+ * poster): the tiles with their names, and the piece. */
+ktg_vec2 ktg_map_size(const ktg_drawing *drawing, uint32_t poster);
+void ktg_map_draw(const ktg_drawing *drawing, cairo_t *cairo, uint32_t poster, ktg_vec2 corner,
+                  double scale);
+
+/* Whether a picture of the finished model helps: of paper, in several pieces, not of too many
+ * faces. */
+bool ktg_solid_is_wanted(const ktg_drawing *drawing);
+/* The model in a square, seen from the front, or from behind, a little from the right and above. */
+KTG_NODISCARD ktg_status ktg_solid_draw(const ktg_drawing *drawing, cairo_t *cairo, ktg_area area,
+                                        bool from_behind);
+
+/* How many pages with the maps of posters come first in a PDF, and one of them (from 0). */
+size_t ktg_cover_count(const ktg_drawing *drawing);
+void ktg_cover_draw(const ktg_drawing *drawing, cairo_t *cairo, size_t number);
 
 /* A page of its own that tells how to read the pattern. */
 void ktg_guide_draw(const ktg_drawing *drawing, cairo_t *cairo, double width_mm, double height_mm);
@@ -212,6 +311,14 @@ typedef struct ktg_sink {
 
 /* The write function for cairo's streams; `closure` is a ktg_sink. */
 cairo_status_t ktg_sink_write(void *closure, const unsigned char *bytes, unsigned int size);
+
+/* ---- png.c -------------------------------------------------------------------------------- */
+
+typedef ktg_status ktg_png_draw(const ktg_drawing *drawing, cairo_t *cairo, const void *what);
+
+/* A PNG of that many pixels on white; `draw` is handed `what`. */
+KTG_NODISCARD ktg_status ktg_png_make(const ktg_drawing *drawing, int width, int height,
+                                      ktg_png_draw *draw, const void *what, ktg_output *output);
 
 /* What cairo says as a status of ours with a message about `what` ("the PDF"). A failure of the
  * sink is the reason for all that came after it. */

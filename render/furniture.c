@@ -28,7 +28,12 @@ size_t ktg_furniture_details(const ktg_drawing *drawing, size_t sheet,
                              char details[KTG_DETAIL_COUNT][KTG_DETAIL_SIZE]) {
     const ktg_pattern *pattern = drawing->pattern;
     size_t count = 0, sheets = pattern->sheet_count;
-    if (sheet != SIZE_MAX)
+    char tile[KTG_NAME_SIZE];
+    if (sheet != SIZE_MAX && ktg_is_tile(&pattern->sheets[sheet])) {
+        ktg_tile_name(drawing, &pattern->sheets[sheet], tile);
+        snprintf(details[count++], KTG_DETAIL_SIZE, "%.40s, sheet %zu of %zu", tile, sheet + 1,
+                 sheets);
+    } else if (sheet != SIZE_MAX)
         snprintf(details[count++], KTG_DETAIL_SIZE, "sheet %zu of %zu", sheet + 1, sheets);
     else
         snprintf(details[count++], KTG_DETAIL_SIZE, "%zu sheet%s", sheets, sheets == 1 ? "" : "s");
@@ -94,13 +99,12 @@ static bool draw_bottom(const ktg_page *page, ktg_area printable) {
     double room = printable.x1 - printable.x0, gap = 4, y = printable.y1 + KTG_STRIP_MM / 2;
     for (size_t i = 0; i < sizeof choices / sizeof *choices; i++) {
         double ruler = choices[i].ruler ? ktg_ruler_length(choices[i].whole) + gap : 0;
-        double legend = ktg_legend_width(page->drawing, cairo, choices[i].brief);
+        double legend = ktg_legend_width(page, choices[i].brief);
         if (ruler + legend > room)
             continue;
         if (choices[i].ruler)
             ktg_ruler_draw(cairo, printable.x0, y, choices[i].whole, false);
-        ktg_legend_draw(page->drawing, cairo, printable.x1 - legend, y, legend, choices[i].brief,
-                        false);
+        ktg_legend_draw(page, printable.x1 - legend, y, legend, choices[i].brief, false);
         return true;
     }
     if (ktg_ruler_length(false) <= room)
@@ -114,14 +118,34 @@ static void draw_left(const ktg_page *page, ktg_area printable) {
         ktg_ruler_draw(page->cairo, x, printable.y1, ktg_ruler_length(true) <= room, true);
 }
 
-bool ktg_furniture_draw(const ktg_page *page) {
-    ktg_area printable = ktg_page_printable(page);
-    double least = KTG_PAPER_EDGE_MM + KTG_STRIP_MM - 1e-6;
-    bool strips = printable.y0 >= least && printable.x0 >= least &&
-                  page->sheet->height_mm - printable.y1 >= least;
-    if (!strips)
-        return ktg_block_draw(page);
+/* Title, rulers and legend in the strips; false where the legend had no room. */
+static bool draw_strips(const ktg_page *page, ktg_area printable) {
     draw_title(page, printable);
     draw_left(page, printable);
     return draw_bottom(page, printable);
+}
+
+/* A picture of the model goes onto the last sheet, which has most room. */
+static bool wants_solid(const ktg_page *page) {
+    return page->number + 1 == page->drawing->pattern->sheet_count &&
+           ktg_solid_is_wanted(page->drawing);
+}
+
+ktg_status ktg_furniture_draw(const ktg_page *page, bool *complete) {
+    ktg_area printable = ktg_page_printable(page);
+    double edge = KTG_PAPER_EDGE_MM, least = edge + KTG_STRIP_MM - 1e-6;
+    ktg_area reach = {edge, edge, page->sheet->width_mm - edge, page->sheet->height_mm - edge};
+    bool strips = printable.y0 >= least && printable.x0 >= least &&
+                  page->sheet->height_mm - printable.y1 >= least;
+    *complete = strips && draw_strips(page, printable);
+    if (*complete && !wants_solid(page))
+        return KTG_OK;
+    ktg_pockets pockets;
+    ktg_status status = ktg_pockets_find(page, strips ? printable : reach, &pockets);
+    if (status == KTG_OK && !*complete)
+        *complete = strips ? ktg_block_legend(page, &pockets) : ktg_block_draw(page, &pockets);
+    if (status == KTG_OK && wants_solid(page))
+        status = ktg_block_solid(page, &pockets);
+    ktg_pockets_drop(&pockets);
+    return status;
 }

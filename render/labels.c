@@ -1,6 +1,8 @@
 /* render/labels.c - numbers and names on the pieces. */
 #include "render/draw.h"
 
+#define LEADER_MM 0.12
+
 /* True when text turned counter-clockwise by `angle` stands on its head, or reads from top to
  * bottom. */
 static bool upside_down(double angle) {
@@ -11,7 +13,7 @@ static bool upside_down(double angle) {
 /* A label where it is read: its text, and cairo moved and turned so that (0, 0) is its centre. */
 typedef struct placed_label {
     char text[128]; /* each byte of a label may become the three of U+FFFD */
-    double x, baseline;
+    double x, baseline, angle;
 } placed_label;
 
 /* The place nearest to `at` where a text of the given size, turned by `angle`, stays within the
@@ -40,30 +42,47 @@ static bool begin_label(const ktg_page *page, const ktg_pattern_placement *place
     double width = ktg_text_width(page->cairo, placed->text);
     if (label->edge == KTG_NONE) {
         angle += upside_down(angle) ? KTG_PI : 0;
-        at = within_printable(page, at, angle, width, label->height_mm);
+        if (page->sheet->kind != KTG_TILE)
+            at = within_printable(page, at, angle, width, label->height_mm);
     }
     cairo_translate(page->cairo, at.x, at.y);
     cairo_rotate(page->cairo, -angle);
     placed->x = -width / 2;
     placed->baseline = label->height_mm / 2;
+    placed->angle = angle;
     return true;
 }
 
-/* A name may cross folds: there they are interrupted. */
+/* The line from a number to its edge, in a colour of its own: neither cut nor fold. */
+static void draw_leader(const ktg_page *page, const ktg_pattern_placement *placement,
+                        const ktg_pattern_label *label) {
+    ktg_motion2 motion = ktg_page_motion(placement);
+    ktg_vec2 foot = ktg_page_point(page, motion, label->foot);
+    ktg_vec2 at = ktg_page_point(page, motion, label->at);
+    cairo_set_source_rgb(page->cairo, 0.5, 0.5, 0.5);
+    cairo_set_line_width(page->cairo, LEADER_MM);
+    cairo_set_dash(page->cairo, NULL, 0, 0);
+    cairo_move_to(page->cairo, at.x, at.y);
+    cairo_line_to(page->cairo, foot.x, foot.y);
+    cairo_stroke(page->cairo);
+    cairo_arc(page->cairo, foot.x, foot.y, 2.5 * LEADER_MM, 0, 2 * KTG_PI);
+    cairo_fill(page->cairo);
+}
+
+/* A name may cross folds, and so may a number away from its edge: there they are interrupted. */
 void ktg_draw_grounds(const ktg_page *page, const ktg_pattern_placement *placement) {
     const ktg_pattern_piece *piece = &page->drawing->pattern->pieces[placement->piece];
     cairo_t *cairo = page->cairo;
     placed_label placed;
     for (size_t i = 0; i < piece->label_count; i++) {
         const ktg_pattern_label *label = &piece->labels[i];
-        if (label->edge != KTG_NONE || !begin_label(page, placement, label, &placed))
+        if (label->edge != KTG_NONE && !label->leader)
             continue;
-        cairo_move_to(cairo, placed.x, placed.baseline);
-        cairo_text_path(cairo, placed.text);
-        cairo_set_source_rgb(cairo, 1, 1, 1);
-        cairo_set_dash(cairo, NULL, 0, 0);
-        cairo_set_line_width(cairo, label->height_mm / 3);
-        cairo_stroke(cairo);
+        if (label->leader)
+            draw_leader(page, placement, label);
+        if (!begin_label(page, placement, label, &placed))
+            continue;
+        ktg_text_ground(cairo, placed.x, placed.baseline, placed.text, label->height_mm / 3);
         cairo_restore(cairo);
     }
 }
@@ -77,7 +96,10 @@ void ktg_draw_labels(const ktg_page *page, const ktg_pattern_placement *placemen
         if (!begin_label(page, placement, label, &placed))
             continue;
         cairo_set_source_rgb(page->cairo, grey, grey, grey);
-        ktg_text_draw(page->cairo, placed.x, placed.baseline, placed.text);
+        if (label->edge == KTG_NONE)
+            ktg_text_draw(page->cairo, placed.x, placed.baseline, placed.text);
+        else
+            ktg_number_draw(page->cairo, placed.angle, label->height_mm, placed.text);
         cairo_restore(page->cairo);
     }
 }

@@ -21,6 +21,8 @@ const char *ktg_legend_word(ktg_stroke stroke, bool brief) {
         [KTG_STROKE_DART] = {"dart", "dart"},
         [KTG_STROKE_NOTCH] = {"notch", "notch"},
         [KTG_STROKE_INTERNAL] = {"inner line", "inner"},
+        [KTG_STROKE_TRIM] = {"trim", "trim"},
+        [KTG_STROKE_JOIN] = {"join", "join"},
     };
     return words[stroke][brief];
 }
@@ -87,36 +89,46 @@ static double entry_width(cairo_t *cairo, ktg_stroke stroke, bool brief) {
            ktg_text_width(cairo, ktg_legend_word(stroke, brief));
 }
 
-double ktg_legend_width(const ktg_drawing *drawing, cairo_t *cairo, bool brief) {
+/* Which strokes a reader of the page meets, as bits: those of the pattern, but how sheets join only
+ * where they do. */
+static unsigned kinds_on(const ktg_page *page) {
+    unsigned joins = 1u << KTG_STROKE_TRIM | 1u << KTG_STROKE_JOIN;
+    return page->drawing->kinds & ~(ktg_is_tile(page->sheet) ? 0 : joins);
+}
+
+double ktg_legend_width(const ktg_page *page, bool brief) {
     double width = -entry_gap(brief);
-    set_words(cairo);
+    set_words(page->cairo);
     for (int k = 0; k < KTG_STROKE_COUNT; k++)
-        if (drawing->kinds & 1u << k)
-            width += entry_width(cairo, (ktg_stroke)k, brief) + entry_gap(brief);
+        if (kinds_on(page) & 1u << k)
+            width += entry_width(page->cairo, (ktg_stroke)k, brief) + entry_gap(brief);
     return width;
 }
 
-size_t ktg_legend_draw(const ktg_drawing *drawing, cairo_t *cairo, double x, double y, double width,
-                       bool brief, bool dry) {
+static void draw_entry(const ktg_page *page, ktg_stroke stroke, double x, double y, bool brief) {
+    cairo_t *cairo = page->cairo;
+    ktg_legend_sample(page->drawing, cairo, stroke, x, y, sample_width(stroke));
+    cairo_set_source_rgb(cairo, 0.25, 0.25, 0.25);
+    ktg_text_draw(cairo, x + sample_width(stroke) + WORD_GAP_MM, y + LEGEND_DIGIT_MM / 2,
+                  ktg_legend_word(stroke, brief));
+}
+
+size_t ktg_legend_draw(const ktg_page *page, double x, double y, double width, bool brief,
+                       bool dry) {
     size_t lines = 1;
     double at = 0;
-    set_words(cairo);
+    set_words(page->cairo);
     for (int k = 0; k < KTG_STROKE_COUNT; k++) {
-        if (!(drawing->kinds & 1u << k))
+        if (!(kinds_on(page) & 1u << k))
             continue;
-        ktg_stroke stroke = (ktg_stroke)k;
-        double entry = entry_width(cairo, stroke, brief);
+        double entry = entry_width(page->cairo, (ktg_stroke)k, brief);
         if (at > 0 && at + entry > width + 1e-6) {
             at = 0;
             lines++;
         }
-        double line = y + (double)(lines - 1) * KTG_LEGEND_LINE_MM;
-        if (!dry) {
-            ktg_legend_sample(drawing, cairo, stroke, x + at, line, sample_width(stroke));
-            cairo_set_source_rgb(cairo, 0.25, 0.25, 0.25);
-            ktg_text_draw(cairo, x + at + sample_width(stroke) + WORD_GAP_MM,
-                          line + LEGEND_DIGIT_MM / 2, ktg_legend_word(stroke, brief));
-        }
+        if (!dry)
+            draw_entry(page, (ktg_stroke)k, x + at, y + (double)(lines - 1) * KTG_LEGEND_LINE_MM,
+                       brief);
         at += entry + entry_gap(brief);
     }
     return lines;

@@ -24,6 +24,8 @@ static const look looks[KTG_STROKE_COUNT] = {
     [KTG_STROKE_DART] = {0.2, {1.6, 1.2, 0}, 0},
     [KTG_STROKE_NOTCH] = {KTG_CUT_MM, {0, 0, 0}, 0},
     [KTG_STROKE_INTERNAL] = {0.15, {0, 0, 0}, 0.45},
+    [KTG_STROKE_TRIM] = {0.15, {0, 0, 0}, 0.55},
+    [KTG_STROKE_JOIN] = {0.15, {1, 1, 0}, 0.55},
 };
 
 static dashes dashes_of(const ktg_drawing *drawing, ktg_stroke stroke) {

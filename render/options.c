@@ -10,6 +10,7 @@ void ktg_render_defaults(ktg_render_options *options) {
                                     .folds = KTG_FOLDS_DASHED,
                                     .flat_below = KTG_PI / 180,
                                     .dots_per_inch = 150,
+                                    .up = 1,
                                     .colour = true};
 }
 
@@ -65,6 +66,9 @@ static unsigned find_kinds(const ktg_drawing *drawing) {
         for (size_t k = 0; k < piece->line_count; k++)
             kinds |= 1u << ktg_stroke_of_line(piece->lines[k].kind);
     }
+    for (size_t s = 0; s < pattern->sheet_count; s++)
+        if (ktg_is_tile(&pattern->sheets[s]))
+            kinds |= 1u << KTG_STROKE_TRIM | 1u << KTG_STROKE_JOIN;
     for (size_t i = 0; i < drawing->first_fold[pattern->piece_count]; i++)
         kinds |= 1u << drawing->folds[i].stroke;
     return kinds;
@@ -76,6 +80,8 @@ static ktg_status check_options(ktg_context *context, const ktg_render_options *
                         "folds flatter than %g radians cannot be left out: the angle must not be "
                         "negative",
                         options->flat_below);
+    if (options->up > 2)
+        return ktg_fail(context, KTG_ARGUMENT, "there is no axis %u: 0, 1 or 2 is up", options->up);
     return KTG_OK;
 }
 

@@ -26,6 +26,15 @@ void ktg_page_begin(cairo_t *cairo) {
     cairo_font_options_destroy(fonts);
 }
 
+/* A tile shows its printable area and no more; what lies beyond is on its neighbours. */
+static void clip_tile(const ktg_page *page) {
+    ktg_area area = ktg_page_printable(page);
+    if (page->sheet->kind != KTG_TILE)
+        return;
+    cairo_rectangle(page->cairo, area.x0, area.y0, area.x1 - area.x0, area.y1 - area.y0);
+    cairo_clip(page->cairo);
+}
+
 ktg_status ktg_page_draw(const ktg_drawing *drawing, size_t number, cairo_t *cairo,
                          bool *furnished) {
     typedef void layer(const ktg_page *, const ktg_pattern_placement *);
@@ -37,10 +46,19 @@ ktg_status ktg_page_draw(const ktg_drawing *drawing, size_t number, cairo_t *cai
     if (status != KTG_OK)
         return status;
     ktg_page_begin(cairo);
-    *furnished = ktg_furniture_draw(&page);
+    status = ktg_furniture_draw(&page, furnished);
+    if (status != KTG_OK)
+        return status;
+    if (ktg_is_tile(page.sheet))
+        ktg_tile_draw_ground(&page);
+    cairo_save(cairo);
+    clip_tile(&page);
     for (size_t k = 0; k < sizeof layers / sizeof *layers; k++)
         for (size_t i = 0; i < page.sheet->placement_count; i++)
             layers[k](&page, &page.sheet->placements[i]);
+    cairo_restore(cairo);
+    if (ktg_is_tile(page.sheet))
+        ktg_tile_draw_joins(&page);
     ktg_progress(drawing->context, "render",
                  (double)(number + 1) / (double)drawing->pattern->sheet_count, NULL);
     return KTG_OK;

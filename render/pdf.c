@@ -6,7 +6,8 @@
 
 #define POINT_PER_MM (72 / 25.4)
 /* What PDF readers take: 200 inches a side. */
-#define MOST_MM 5080.0
+#define MOST_MM    5080.0
+#define ENTRY_SIZE (4 * KTG_NAME_SIZE)
 
 static ktg_status check_size(const ktg_drawing *drawing) {
     for (size_t s = 0; s < drawing->pattern->sheet_count; s++) {
@@ -32,44 +33,114 @@ static void set_metadata(const ktg_drawing *drawing, cairo_surface_t *surface) {
     cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
 }
 
-/* Begins page `number` (from 1); it appears in the reader's outline under `name`. */
-static void begin_page(cairo_surface_t *surface, cairo_t *cairo, size_t number, const char *label,
-                       const char *name, double width_mm, double height_mm) {
+/* A PDF while its pages are drawn. */
+typedef struct pdf {
+    const ktg_drawing *drawing;
+    cairo_surface_t *surface;
+    cairo_t *cairo;
+    size_t pages; /* begun so far */
+    int section;  /* of the outline, to which sheets belong */
+    bool all_furnished;
+} pdf;
+
+/* An entry of the outline, to the page that is being drawn. */
+static int add_entry(const pdf *p, int parent, const char *name, bool open) {
     char target[64];
-    cairo_pdf_surface_set_size(surface, width_mm * POINT_PER_MM, height_mm * POINT_PER_MM);
-    cairo_pdf_surface_set_page_label(surface, label);
-    snprintf(target, sizeof target, "page=%zu pos=[0 0]", number);
-    cairo_pdf_surface_add_outline(surface, CAIRO_PDF_OUTLINE_ROOT, name, target,
-                                  (cairo_pdf_outline_flags_t)0);
-    cairo_identity_matrix(cairo);
-    cairo_scale(cairo, POINT_PER_MM, POINT_PER_MM);
+    snprintf(target, sizeof target, "page=%zu pos=[0 0]", p->pages);
+    return cairo_pdf_surface_add_outline(p->surface, parent, name, target,
+                                         open ? CAIRO_PDF_OUTLINE_FLAG_OPEN
+                                              : (cairo_pdf_outline_flags_t)0);
 }
 
-static ktg_status draw_sheets(const ktg_drawing *drawing, cairo_surface_t *surface,
-                              cairo_t *cairo) {
-    const ktg_pattern *pattern = drawing->pattern;
-    bool all_furnished = true;
-    for (size_t s = 0; s < pattern->sheet_count; s++) {
-        char label[32], name[48];
-        bool furnished;
-        snprintf(label, sizeof label, "%zu", s + 1);
-        snprintf(name, sizeof name, "Sheet %zu", s + 1);
-        begin_page(surface, cairo, s + 1, label, name, pattern->sheets[s].width_mm,
-                   pattern->sheets[s].height_mm);
-        ktg_status status = ktg_page_draw(drawing, s, cairo, &furnished);
-        if (status != KTG_OK)
-            return status;
-        all_furnished = all_furnished && furnished;
-        cairo_show_page(cairo);
+static void begin_page(pdf *p, const char *label, const ktg_pattern_sheet *sheet) {
+    cairo_pdf_surface_set_size(p->surface, sheet->width_mm * POINT_PER_MM,
+                               sheet->height_mm * POINT_PER_MM);
+    cairo_pdf_surface_set_page_label(p->surface, label);
+    cairo_identity_matrix(p->cairo);
+    cairo_scale(p->cairo, POINT_PER_MM, POINT_PER_MM);
+    p->pages++;
+}
+
+static void draw_covers(pdf *p) {
+    size_t count = ktg_cover_count(p->drawing);
+    for (size_t k = 0; k < count; k++) {
+        char label[32] = "cover";
+        if (k > 0)
+            snprintf(label, sizeof label, "cover %zu", k + 1);
+        begin_page(p, label, &p->drawing->pattern->sheets[0]);
+        if (k == 0)
+            add_entry(p, CAIRO_PDF_OUTLINE_ROOT, "Cover and maps", false);
+        ktg_cover_draw(p->drawing, p->cairo, k);
+        cairo_show_page(p->cairo);
     }
-    if (!all_furnished) {
+}
+
+/* A poster is a section, and so are the sheets before the first one, where there are several. */
+static void begin_section(pdf *p, size_t number) {
+    const ktg_pattern *pattern = p->drawing->pattern;
+    const ktg_pattern_sheet *sheet = &pattern->sheets[number];
+    char name[KTG_NAME_SIZE], text[KTG_NAME_SIZE + 32];
+    bool tile = ktg_is_tile(sheet);
+    if (number > 0 && (tile ? sheet->poster : 0) == pattern->sheets[number - 1].poster)
+        return;
+    if (tile) {
+        ktg_drawing_piece_name(p->drawing, sheet->placements->piece, name);
+        snprintf(text, sizeof text, "Poster %u: %s", sheet->poster, name);
+        p->section = add_entry(p, CAIRO_PDF_OUTLINE_ROOT, text, false);
+    } else if (pattern->sheet_count > 1)
+        p->section = add_entry(p, CAIRO_PDF_OUTLINE_ROOT, "Sheets", true);
+}
+
+/* "Sheet 2: head, neck and 3 more"; "B2". */
+static void sheet_entry(const ktg_drawing *drawing, size_t number, char text[ENTRY_SIZE]) {
+    const ktg_pattern_sheet *sheet = &drawing->pattern->sheets[number];
+    char name[KTG_NAME_SIZE];
+    if (ktg_is_tile(sheet)) {
+        ktg_tile_name(drawing, sheet, name);
+        snprintf(text, ENTRY_SIZE, "%s", name);
+        return;
+    }
+    size_t used = (size_t)snprintf(text, ENTRY_SIZE, "Sheet %zu", number + 1), named = 0;
+    for (; drawing->pattern->piece_count > 1 && named < 3 && named < sheet->placement_count;
+         named++) {
+        ktg_drawing_piece_name(drawing, sheet->placements[named].piece, name);
+        used += (size_t)snprintf(text + used, ENTRY_SIZE - used, "%s%s", named ? ", " : ": ", name);
+    }
+    if (named > 0 && named < sheet->placement_count)
+        snprintf(text + used, ENTRY_SIZE - used, " and %zu more", sheet->placement_count - named);
+}
+
+static ktg_status draw_sheet(pdf *p, size_t number) {
+    const ktg_pattern_sheet *sheet = &p->drawing->pattern->sheets[number];
+    char label[KTG_NAME_SIZE], entry[ENTRY_SIZE];
+    bool furnished;
+    snprintf(label, sizeof label, "%zu", number + 1);
+    if (ktg_is_tile(sheet))
+        ktg_tile_name(p->drawing, sheet, label);
+    begin_page(p, label, sheet);
+    begin_section(p, number);
+    sheet_entry(p->drawing, number, entry);
+    add_entry(p, p->section, entry, false);
+    ktg_status status = ktg_page_draw(p->drawing, number, p->cairo, &furnished);
+    p->all_furnished = p->all_furnished && furnished;
+    cairo_show_page(p->cairo);
+    return status;
+}
+
+static ktg_status draw_pages(pdf *p) {
+    const ktg_pattern *pattern = p->drawing->pattern;
+    ktg_status status = KTG_OK;
+    draw_covers(p);
+    for (size_t s = 0; status == KTG_OK && s < pattern->sheet_count; s++)
+        status = draw_sheet(p, s);
+    if (status == KTG_OK && !p->all_furnished) {
         const ktg_pattern_sheet *first = &pattern->sheets[0];
-        begin_page(surface, cairo, pattern->sheet_count + 1, "guide", "How to read this pattern",
-                   first->width_mm, first->height_mm);
-        ktg_guide_draw(drawing, cairo, first->width_mm, first->height_mm);
-        cairo_show_page(cairo);
+        begin_page(p, "guide", first);
+        add_entry(p, CAIRO_PDF_OUTLINE_ROOT, "How to read this pattern", false);
+        ktg_guide_draw(p->drawing, p->cairo, first->width_mm, first->height_mm);
+        cairo_show_page(p->cairo);
     }
-    return KTG_OK;
+    return status;
 }
 
 static ktg_status draw_pdf(const ktg_drawing *drawing, ktg_output *output) {
@@ -79,7 +150,8 @@ static ktg_status draw_pdf(const ktg_drawing *drawing, ktg_output *output) {
         ktg_sink_write, &sink, first->width_mm * POINT_PER_MM, first->height_mm * POINT_PER_MM);
     set_metadata(drawing, surface);
     cairo_t *cairo = cairo_create(surface);
-    ktg_status status = draw_sheets(drawing, surface, cairo);
+    pdf p = {drawing, surface, cairo, 0, CAIRO_PDF_OUTLINE_ROOT, true};
+    ktg_status status = draw_pages(&p);
     cairo_status_t drawn = cairo_status(cairo);
     cairo_destroy(cairo);
     cairo_surface_finish(surface);

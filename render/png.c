@@ -23,23 +23,28 @@ static ktg_status check_pixels(const ktg_drawing *drawing, size_t number, int *w
     return KTG_OK;
 }
 
-static ktg_status draw_png(const ktg_drawing *drawing, size_t number, int width, int height,
-                           ktg_output *output) {
+ktg_status ktg_png_make(const ktg_drawing *drawing, int width, int height, ktg_png_draw *draw,
+                        const void *what, ktg_output *output) {
     ktg_sink sink = {drawing->context, output, KTG_OK};
-    double scale = drawing->options.dots_per_inch / 25.4;
     cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
     cairo_t *cairo = cairo_create(surface);
-    bool furnished;
     cairo_set_source_rgb(cairo, 1, 1, 1);
     cairo_paint(cairo);
-    cairo_scale(cairo, scale, scale);
-    ktg_status status = ktg_page_draw(drawing, number, cairo, &furnished);
+    ktg_status status = draw(drawing, cairo, what);
     cairo_status_t drawn = cairo_status(cairo);
     cairo_destroy(cairo);
     if (status == KTG_OK && drawn == CAIRO_STATUS_SUCCESS)
         drawn = cairo_surface_write_to_png_stream(surface, ktg_sink_write, &sink);
     cairo_surface_destroy(surface);
     return status != KTG_OK ? status : ktg_cairo_status(drawing->context, &sink, drawn, "the PNG");
+}
+
+static ktg_status draw_sheet(const ktg_drawing *drawing, cairo_t *cairo, const void *what) {
+    const size_t *number = what;
+    double scale = drawing->options.dots_per_inch / 25.4;
+    bool furnished;
+    cairo_scale(cairo, scale, scale);
+    return ktg_page_draw(drawing, *number, cairo, &furnished);
 }
 
 ktg_status ktg_render_png(ktg_context *context, const ktg_pattern *pattern, size_t sheet,
@@ -53,7 +58,7 @@ ktg_status ktg_render_png(ktg_context *context, const ktg_pattern *pattern, size
     if (status == KTG_OK)
         status = check_pixels(drawing, sheet, &width, &height);
     if (status == KTG_OK)
-        status = draw_png(drawing, sheet, width, height, output);
+        status = ktg_png_make(drawing, width, height, draw_sheet, &sheet, output);
     ktg_drawing_free(&drawing);
     return status;
 }

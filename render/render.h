@@ -19,6 +19,7 @@ typedef struct ktg_render_options {
     ktg_fold_style folds;
     double flat_below;    /* radians: folds flatter than this are not drawn; default 1 degree */
     double dots_per_inch; /* PNG; 150 */
+    unsigned up;          /* which axis of the model is height: 0 x, 1 y, 2 z; 1 */
     bool
         colour; /* mountain red, valley blue; the dashes tell them apart without it; default true */
 } ktg_render_options;
@@ -46,6 +47,13 @@ KTG_API KTG_NODISCARD ktg_status ktg_render_svg(ktg_context *context, const ktg_
 KTG_API KTG_NODISCARD ktg_status ktg_render_png(ktg_context *context, const ktg_pattern *pattern,
                                                 size_t sheet, const ktg_render_options *options,
                                                 ktg_output *output);
+
+/* All pages in one PNG for a quick look: side by side in rows, no larger than 3000 pixels a side
+ * and at most at options->dots_per_inch. */
+KTG_API KTG_NODISCARD ktg_status ktg_render_contact(ktg_context *context,
+                                                    const ktg_pattern *pattern,
+                                                    const ktg_render_options *options,
+                                                    ktg_output *output);
 
 #ifdef __cplusplus
 }

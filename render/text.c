@@ -35,6 +35,13 @@ static bool is_control(uint32_t code) {
     return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x2028 || code == 0x2029;
 }
 
+/* Marks that turn the direction of what follows them: they would reach beyond the text. */
+static bool is_direction(uint32_t code) {
+    return code == 0x61c || code == 0x200e || code == 0x200f ||
+           (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069) ||
+           code == 0xfeff;
+}
+
 void ktg_text_clean(const char *text, size_t length, char *clean, size_t size) {
     size_t used = 0;
     length = strnlen(text, length);
@@ -43,6 +50,8 @@ void ktg_text_clean(const char *text, size_t length, char *clean, size_t size) {
         size_t bytes = decode((const unsigned char *)text + at, length - at, &code);
         const char *from = bytes ? text + at : replacement;
         size_t count = bytes ? bytes : strlen(replacement);
+        if (bytes && is_direction(code))
+            count = 0;
         if (bytes && is_control(code)) {
             from = " ";
             count = 1;
@@ -57,7 +66,7 @@ void ktg_text_clean(const char *text, size_t length, char *clean, size_t size) {
 }
 
 void ktg_text_set(cairo_t *cairo, ktg_face face, double digit_mm) {
-    cairo_select_font_face(cairo, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
+    cairo_select_font_face(cairo, KTG_FONT_FAMILY, CAIRO_FONT_SLANT_NORMAL,
                            face == KTG_FACE_BOLD ? CAIRO_FONT_WEIGHT_BOLD
                                                  : CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_font_size(cairo, digit_mm / DIGIT_PER_SIZE);
@@ -65,14 +74,31 @@ void ktg_text_set(cairo_t *cairo, ktg_face face, double digit_mm) {
 
 double ktg_text_width(cairo_t *cairo, const char *text) {
     cairo_text_extents_t extents;
+    cairo_font_face_t *usual = ktg_font_begin(cairo, text);
     cairo_text_extents(cairo, text, &extents);
+    ktg_font_end(cairo, usual);
     return extents.x_advance;
 }
 
 void ktg_text_draw(cairo_t *cairo, double x, double baseline, const char *text) {
+    char ordered[KTG_TITLE_SIZE];
+    cairo_font_face_t *usual = ktg_font_begin(cairo, text);
     cairo_move_to(cairo, x, baseline);
-    cairo_show_text(cairo, text);
+    cairo_show_text(cairo, ktg_text_order(text, ordered));
     cairo_new_path(cairo);
+    ktg_font_end(cairo, usual);
+}
+
+void ktg_text_ground(cairo_t *cairo, double x, double baseline, const char *text, double width) {
+    char ordered[KTG_TITLE_SIZE];
+    cairo_font_face_t *usual = ktg_font_begin(cairo, text);
+    cairo_move_to(cairo, x, baseline);
+    cairo_text_path(cairo, ktg_text_order(text, ordered));
+    cairo_set_source_rgb(cairo, 1, 1, 1);
+    cairo_set_dash(cairo, NULL, 0, 0);
+    cairo_set_line_width(cairo, width);
+    cairo_stroke(cairo);
+    ktg_font_end(cairo, usual);
 }
 
 void ktg_text_shorten(cairo_t *cairo, double width, char *text, size_t size) {

@@ -142,6 +142,8 @@ KTG_NODISCARD ktg_status ktg_check_outlines(ktg_check *check);
 KTG_NODISCARD ktg_status ktg_check_seams(ktg_check *check);
 void ktg_check_labels(ktg_check *check);
 KTG_NODISCARD ktg_status ktg_check_sheets(ktg_check *check);
+/* tiled[p]: on how many tiles piece p lies. */
+KTG_NODISCARD ktg_status ktg_check_tiles(ktg_check *check, const uint32_t *tiled);
 KTG_NODISCARD ktg_status ktg_check_model(ktg_check *check, const ktg_mesh *model);
 
 #endif

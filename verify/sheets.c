@@ -101,26 +101,29 @@ static void check_rectangle(ktg_check *check, const ktg_pattern_sheet *sheet, si
         ktg_check_problem(check, "The printable area of sheet %zu is not within its paper.", id);
 }
 
-/* Once each; more often only where a piece is to be cut several times or spans several tiles. */
-static void check_counts(ktg_check *check, const uint32_t *placed, bool tiles) {
+/* Once each, or on tiles; more often only where a piece is to be cut several times. */
+static void check_counts(ktg_check *check, const uint32_t *placed, const uint32_t *tiled) {
     for (size_t i = 0; i < check->pattern->piece_count; i++) {
         const ktg_pattern_piece *piece = &check->pattern->pieces[i];
         uint64_t most = (uint64_t)piece->cut_count + piece->cut_mirrored;
         if (most < 1 || check->pattern->mode == KTG_PAPER)
             most = 1;
-        if (placed[i] == 0)
+        if (placed[i] == 0 && tiled[i] == 0)
             ktg_check_problem(check, "Piece %zu is on no sheet.", i + 1);
-        else if (placed[i] > most && !tiles)
+        else if (placed[i] > 0 && tiled[i] > 0)
+            ktg_check_problem(check, "Piece %zu is on a sheet and on tiles.", i + 1);
+        else if (placed[i] > most)
             ktg_check_problem(check, "Piece %zu is placed %u times.", i + 1, placed[i]);
     }
 }
 
-static ktg_status check_sheet(ktg_check *check, size_t i, uint32_t *placed) {
+static ktg_status check_sheet(ktg_check *check, size_t i, uint32_t *placed, uint32_t *tiled) {
     const ktg_pattern_sheet *sheet = &check->pattern->sheets[i];
     check_rectangle(check, sheet, i + 1);
     for (size_t k = 0; k < sheet->placement_count; k++) {
-        placed[sheet->placements[k].piece]++;
-        if (sheet->kind != KTG_TILE)
+        bool tile = sheet->kind == KTG_TILE;
+        (tile ? tiled : placed)[sheet->placements[k].piece]++;
+        if (!tile)
             check_inside(check, sheet, i + 1, &sheet->placements[k]);
     }
     return check_apart(check, sheet, i + 1);
@@ -131,14 +134,15 @@ ktg_status ktg_check_sheets(ktg_check *check) {
     if (p->sheet_count == 0)
         return KTG_OK;
     uint32_t *placed = ktg_new(check->context, p->piece_count, uint32_t);
-    ktg_status status = placed ? KTG_OK : KTG_MEMORY;
-    bool tiles = false;
-    for (size_t i = 0; status == KTG_OK && i < p->sheet_count; i++) {
-        status = check_sheet(check, i, placed);
-        tiles = tiles || p->sheets[i].kind == KTG_TILE;
-    }
+    uint32_t *tiled = ktg_new(check->context, p->piece_count, uint32_t);
+    ktg_status status = placed && tiled ? KTG_OK : KTG_MEMORY;
+    for (size_t i = 0; status == KTG_OK && i < p->sheet_count; i++)
+        status = check_sheet(check, i, placed, tiled);
     if (status == KTG_OK)
-        check_counts(check, placed, tiles);
+        check_counts(check, placed, tiled);
+    if (status == KTG_OK)
+        status = ktg_check_tiles(check, tiled);
     ktg_free(placed);
+    ktg_free(tiled);
     return status;
 }

@@ -7,7 +7,7 @@ own adjacency, its own test of overlap. A second opinion on what `katagami verif
 Checked: every face once and the right way round; lengths in the plane against the surface; folds
 whose two faces share their points, cuts and borders where the surface has them; pieces that hang
 together; no two faces, no tab and face, no two tabs that overlap, on the piece and on the sheet;
-every piece on one sheet and inside its printable area; and with the model, that the surface is the
+every piece on one sheet and inside its printable area, or whole on the tiles of a poster; and with the model, that the surface is the
 model's triangles, or a triangulation of its polygons, times mm_per_unit (for models that needed no
 repair: splitting a neighbour of a sliver makes other triangles). Exit status 0 or 1."""
 
@@ -228,30 +228,81 @@ def shapes_of(net, number):
         yield 'the tab on edge %s of piece %s' % (tab['edge'], number), polygon, True
 
 
+def mover(place):
+    turn = math.radians(place['rotation_deg'])
+    c, s = math.cos(turn), math.sin(turn)
+    return lambda p: (c * p[0] - s * p[1] + place['x'], s * p[0] + c * p[1] + place['y'])
+
+
+def check_inside(sheet, own, problems):
+    x0, y0, x1, y1 = sheet['printable']
+    for name, polygon, _ in own:
+        if any(p[0] < x0 - SHEET_MM or p[0] > x1 + SHEET_MM or p[1] < y0 - SHEET_MM or
+               p[1] > y1 + SHEET_MM for p in polygon):
+            problems.add('%s leaves the printable area of sheet %s', name, sheet['id'])
+
+
 def check_sheets(net, problems):
-    placed = collections.Counter()
+    placed, tiles = collections.Counter(), collections.defaultdict(list)
     for sheet in net.pattern['sheets']:
         shapes = []
-        x0, y0, x1, y1 = sheet['printable']
         for place in sheet['placements']:
-            placed[place['piece']] += 1
-            turn = math.radians(place['rotation_deg'])
-            c, s = math.cos(turn), math.sin(turn)
-            move = lambda p: (c * p[0] - s * p[1] + place['x'], s * p[0] + c * p[1] + place['y'])
+            move = mover(place)
             own = [(name, [move(p) for p in polygon], tab)
                    for name, polygon, tab in shapes_of(net, place['piece'])]
             outline = [move(p) for p in net.pieces[place['piece']]['outline']]
-            for name, polygon, _ in own + [('the outline of piece %s' % place['piece'], outline, 0)]:
-                if any(p[0] < x0 - SHEET_MM or p[0] > x1 + SHEET_MM or p[1] < y0 - SHEET_MM or
-                       p[1] > y1 + SHEET_MM for p in polygon):
-                    problems.add('%s leaves the printable area of sheet %s', name, sheet['id'])
+            if sheet['kind'] == 'tile':
+                tiles[place['piece']].append((sheet, place))
+            else:
+                placed[place['piece']] += 1
+                check_inside(sheet, own + [('the outline of piece %s' % place['piece'], outline, 0)], problems)
             check_outline(own, outline, place['piece'], problems)
             shapes += own
         for a, b, deep in crowded(shapes, FACE_MM):
             problems.add('%s and %s lie in each other, %.3g mm deep', a, b, deep)
     for number in net.pieces:
-        if placed[number] != 1:
-            problems.add('piece %s lies on %d sheets', number, placed[number])
+        if number in tiles and not placed[number]:
+            check_tiles(net, number, tiles[number], problems)
+        elif placed[number] != 1 or number in tiles:
+            problems.add('piece %s lies on %d sheets', number, placed[number] + len(tiles[number]))
+
+
+def clip_to(polygon, cell):
+    """The part of a convex polygon within x0, y0, x1, y1."""
+    for axis in (0, 1):
+        for bound, sign in ((cell[axis], 1), (cell[axis + 2], -1)):
+            out = []
+            for a, b in zip(polygon, polygon[1:] + polygon[:1]):
+                da, db = sign * (a[axis] - bound), sign * (b[axis] - bound)
+                if da >= 0:
+                    out.append(a)
+                if da * db < 0:
+                    out.append(tuple(x + da / (da - db) * (y - x) for x, y in zip(a, b)))
+            polygon = out
+    return polygon
+
+
+def check_tiles(net, number, tiles, problems):
+    """Laid side by side the tiles show all of the piece: their edges cut the poster into cells, and
+    the cells that lie on a tile hold the whole area."""
+    first = tiles[0][1]
+    windows = []
+    for sheet, place in tiles:
+        if place['rotation_deg'] != first['rotation_deg']:
+            problems.add('piece %s is turned differently on its tiles', number)
+        dx, dy = first['x'] - place['x'], first['y'] - place['y']
+        x0, y0, x1, y1 = sheet['printable']
+        windows.append((x0 + dx, y0 + dy, x1 + dx, y1 + dy))
+    xs, ys = (sorted({w[k] for w in windows} | {w[k + 2] for w in windows}) for k in (0, 1))
+    cells = [(x0, y0, x1, y1) for x0, x1 in zip(xs, xs[1:]) for y0, y1 in zip(ys, ys[1:])
+             if any(w[0] <= x0 and w[1] <= y0 and x1 <= w[2] and y1 <= w[3] for w in windows)]
+    move, lost = mover(first), 0.0
+    for _, polygon, _ in shapes_of(net, number):
+        polygon = [move(p) for p in polygon]
+        seen = sum(signed_area(part) for cell in cells if len(part := clip_to(polygon, cell)) > 2)
+        lost += signed_area(polygon) - seen
+    if lost > 1e-4:
+        problems.add('%.3g mm2 of piece %s are on none of its tiles', lost, number)
 
 
 def check_outline(shapes, outline, number, problems):

@@ -29,6 +29,7 @@ what is expected:
   exists NAME... / has FILE WORDS / starts FILE BYTES / same A B / differ A B
   json FILE EXPRESSION    a Python expression about d is true
   net FILE [MODEL]        check_net.py accepts it
+  labels PDF JSON         check_labels.py finds the numbers of the one where the other says
 
 Always expected: exit status 1 or 2 comes with exactly one line that begins "katagami", the last
 one; no control character reaches standard error; nothing temporary is left behind."""
@@ -47,6 +48,7 @@ import tempfile
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import check_labels  # noqa: E402
 import check_net  # noqa: E402
 
 SECONDS = 100
@@ -242,6 +244,13 @@ class Case:
         pattern = json.loads(self.path(name).read_text(encoding='utf-8'))
         _, problems = check_net.check(pattern, check_net.read_model(model) if model else None)
         expect(not problems, '; '.join(problems[:3]))
+
+    def do_labels(self, pdf, name):
+        if not shutil.which('pdftotext'):
+            raise Skipped('pdftotext is not installed')
+        pattern = json.loads(self.path(name).read_text(encoding='utf-8'))
+        found, _, problems = check_labels.check(check_labels.words_of(self.path(pdf)), pattern)
+        expect(found and not problems, '; '.join(problems[:3]) or 'there are no numbers')
 
 
 def run_case(path, program, samples):

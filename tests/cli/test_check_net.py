@@ -61,6 +61,25 @@ def lie_on_two_sheets(d):
     d['sheets'].append(copy.deepcopy(d['sheets'][0]))
 
 
+def lie_on_two_tiles(d):
+    """Halves of the sheet, which share a strip: sound."""
+    sheet = d['sheets'][0]
+    sheet['kind'] = 'tile'
+    d['sheets'].append(copy.deepcopy(sheet))
+    sheet['printable'][2], d['sheets'][1]['printable'][0] = 110, 100
+
+
+def lie_between_two_tiles(d):
+    lie_on_two_tiles(d)
+    d['sheets'][1]['printable'][0] = 110.1
+
+
+def lie_on_a_tile_and_a_sheet(d):
+    lie_on_two_tiles(d)
+    d['sheets'].append(copy.deepcopy(d['sheets'][0]))
+    d['sheets'][2]['kind'] = 'sheet'
+
+
 def cut_an_outline_short(d):
     d['pieces'][0]['outline'].pop(0)
 
@@ -84,7 +103,8 @@ def turn_the_surface_inside_out(d):
 
 DAMAGE = [move_vertex, mirror, lose_a_face, show_a_face_twice, call_a_cut_a_fold,
           call_a_cut_a_border, call_a_fold_a_cut, name_an_edge_twice, turn_a_tab_inwards,
-          leave_the_sheet, lie_on_two_sheets, cut_an_outline_short, grow,
+          leave_the_sheet, lie_on_two_sheets, lie_between_two_tiles,
+          lie_on_a_tile_and_a_sheet, cut_an_outline_short, grow,
           turn_the_surface_inside_out]
 
 
@@ -107,6 +127,9 @@ def main():
     model = check_net.read_model(str(model))
     results = [('a_sound_net_passes', not check_net.check(sound, model)[1]),
                ('overlap_is_seen', overlap_is_seen())]
+    tiled = copy.deepcopy(sound)
+    lie_on_two_tiles(tiled)
+    results.append(('a_sound_net_on_tiles_passes', not check_net.check(tiled, model)[1]))
     for damage in DAMAGE:
         d = copy.deepcopy(sound)
         damage(d)

@@ -34,7 +34,7 @@ def wrong_commands(program, commands, folder):
         for i, word in enumerate(words):
             if words[i - 1] not in ("-o", "--report"):
                 continue
-            name = pathlib.Path(word)
+            name = pathlib.Path(word.replace("%d", "01"))
             if not (folder / name).exists() and not (folder / (name.stem + "-01" + name.suffix)).exists():
                 yield f"{shlex.join(words)}: {word} was not written"
 

@@ -28,7 +28,8 @@ static void assert_sheet(ktg_context *context, const char *text, const char *nam
     format.margin_mm = 7;
     assert_int_equal(ktg_sheet_parse(context, text, &format), KTG_OK);
     assert_string_equal(format.name, name);
-    assert_true(fabs(format.width_mm - width) < 1e-9 && fabs(format.height_mm - height) < 1e-9);
+    assert_true(format.width_mm == width || fabs(format.width_mm - width) < 1e-9);
+    assert_true(format.height_mm == height || fabs(format.height_mm - height) < 1e-9);
     assert_true(format.margin_mm == 7);
 }
 
@@ -38,16 +39,26 @@ static void sheets_go_by_name_or_measure(void **state) {
     assert_sheet(*state, "LETTER", "Letter", 215.9, 279.4);
     assert_sheet(*state, "legal", "Legal", 215.9, 355.6);
     assert_sheet(*state, "Tabloid", "Tabloid", 279.4, 431.8);
+    assert_sheet(*state, "a5", "A5", 148, 210);
+    assert_sheet(*state, "a6", "A6", 105, 148);
+    assert_sheet(*state, "A3+", "A3+", 329, 483);
+    assert_sheet(*state, "b5", "B5", 176, 250);
+    assert_sheet(*state, "jis-b4", "JIS-B4", 257, 364);
+    assert_sheet(*state, "ledger", "Ledger", 279.4, 431.8);
+    assert_sheet(*state, "ansi-d", "ANSI-D", 558.8, 863.6);
     assert_sheet(*state, "300x200", "300x200", 300, 200);
     assert_sheet(*state, "8.5x11in", "215.9x279.4", 215.9, 279.4);
     assert_sheet(*state, "21 x 29.7 cm", "210x297", 210, 297);
     assert_sheet(*state, "21cmX297mm", "210x297", 210, 297);
+    assert_sheet(*state, "fit", "fit", INFINITY, INFINITY);
+    assert_sheet(*state, "FIT", "fit", INFINITY, INFINITY);
 }
 
 static void what_is_no_sheet_is_refused_and_named(void **state) {
-    const char *bad[] = {"",       "a9",        "x",          "210",       "210x",   "x297",
-                         "-1x200", "1e3x200",   "nanxnan",    "210x297px", "5x5",    "10001x200",
-                         "0x0",    "210x297x3", "210 x 297!", "8.5inx11",  "infx200"};
+    const char *bad[] = {"",       "a9",        "x",          "210",       "210x",    "x297",
+                         "-1x200", "1e3x200",   "nanxnan",    "210x297px", "5x5",     "10001x200",
+                         "0x0",    "210x297x3", "210 x 297!", "8.5inx11",  "infx200", "fitx200",
+                         "5xfit",  "900xfit",   "fitting"};
     for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) {
         ktg_sheet_format format = {"mine", 1, 2, 3};
         assert_int_equal(ktg_sheet_parse(*state, bad[k], &format), KTG_ARGUMENT);

@@ -93,7 +93,7 @@ static ktg_pattern *make_pattern(ktg_context *context) {
     piece->lines[0].points = ktg_copy_array(context, piece->vertices, 2, sizeof(ktg_vec2));
     piece->label_count = 2;
     piece->labels = ktg_new(context, 2, ktg_pattern_label);
-    piece->labels[0] = (ktg_pattern_label){"12.", {1, 2}, 0.7, 2.4, 2};
+    piece->labels[0] = (ktg_pattern_label){"12.", {1, 2}, 0.7, 2.4, 2, true, {3, 4}};
     piece->labels[1] = (ktg_pattern_label){"left", {1, 2}, -acos(-1), 3, KTG_NONE};
     p->edge_count = 5;
     p->edges = ktg_new(context, 5, ktg_pattern_edge);
@@ -120,11 +120,12 @@ static ktg_pattern *make_pattern(ktg_context *context) {
     p->seams[0].edges = ktg_copy_array(context, &(uint32_t){2}, 1, sizeof(uint32_t));
     p->seams[0].first_side = ktg_copy_array(context, &(uint8_t){1}, 1, 1);
     p->seams[0].pieces[0] = 1;
+    p->seams[0].obvious = true;
     p->seams[0].lengths_mm[0] = 1.0 / 7;
     p->seams[0].lengths_mm[1] = 1.0 / 7;
     p->sheet_count = 1;
     p->sheets = ktg_new(context, 1, ktg_pattern_sheet);
-    p->sheets[0] = (ktg_pattern_sheet){KTG_TILE, 210, 297, {10, 10, 200, 287}, 1, NULL};
+    p->sheets[0] = (ktg_pattern_sheet){KTG_TILE, 210, 297, {10, 10, 200, 287}, 1, NULL, 2, 0, 3};
     ktg_pattern_placement placement = {1, 12.5, 40.1, acos(-1) / 2};
     p->sheets[0].placements = ktg_copy_array(context, &placement, 1, sizeof placement);
     return p;
@@ -212,6 +213,8 @@ static void assert_same_piece(const ktg_pattern_piece *a, const ktg_pattern_piec
                     1e-15 * fabs(a->labels[i].rotation));
         assert_true(a->labels[i].height_mm == b->labels[i].height_mm);
         assert_int_equal(a->labels[i].edge, b->labels[i].edge);
+        assert_int_equal(a->labels[i].leader, b->labels[i].leader);
+        assert_memory_equal(&a->labels[i].foot, &b->labels[i].foot, sizeof(ktg_vec2));
     }
     assert_int_equal(a->cut_count, b->cut_count);
     assert_int_equal(a->cut_mirrored, b->cut_mirrored);
@@ -234,10 +237,14 @@ static void assert_same_seam(const ktg_pattern_seam *a, const ktg_pattern_seam *
     assert_same_array(a, b, a->edge_count, first_side);
     assert_memory_equal(a->pieces, b->pieces, sizeof a->pieces);
     assert_memory_equal(a->lengths_mm, b->lengths_mm, sizeof a->lengths_mm);
+    assert_int_equal(a->obvious, b->obvious);
 }
 
 static void assert_same_sheet(const ktg_pattern_sheet *a, const ktg_pattern_sheet *b) {
     assert_int_equal(a->kind, b->kind);
+    assert_int_equal(a->poster, b->poster);
+    assert_int_equal(a->row, b->row);
+    assert_int_equal(a->column, b->column);
     assert_true(a->width_mm == b->width_mm && a->height_mm == b->height_mm);
     assert_memory_equal(a->printable, b->printable, sizeof a->printable);
     assert_int_equal(a->placement_count, b->placement_count);
@@ -389,8 +396,10 @@ static void save(fixture *f, const json_t *root) {
 static bool may_miss(const char *way) {
     const char *key = strrchr(way, '.');
     if (strstr(way, ".labels["))
-        return !strcmp(key, ".rotation_deg") || !strcmp(key, ".height_mm") || !strcmp(key, ".edge");
-    return key && (!strcmp(key, ".size") || !strcmp(key, ".omitted") || !strcmp(key, ".forced") ||
+        return !strcmp(key, ".rotation_deg") || !strcmp(key, ".height_mm") ||
+               !strcmp(key, ".edge") || !strcmp(key, ".leader");
+    return key && (!strcmp(key, ".size") || !strcmp(key, ".omitted") || !strcmp(key, ".tile") ||
+                   !strcmp(key, ".obvious") || !strcmp(key, ".forced") ||
                    !strcmp(key, ".face_strain") || !strcmp(key, ".first_side"));
 }
 
@@ -539,6 +548,7 @@ static void every_word_and_length_is_checked(void **state) {
         {"seams/0/sides/1", "edges", "[3, 3]", "seams[0].sides[1].edges: must have 1 items"},
         {"seams/0", "first_side", "[0, 1]", "seams[0].first_side: must have 1 items"},
         {"sheets/0", "kind", "\"page\"", "sheets[0].kind: is \"page\""},
+        {"sheets/0/tile", "row", "0", "sheets[0].tile: counts from 1"},
         {"sheets/0", "printable", "[1, 2, 3]", "sheets[0].printable: must have 4 items"},
         {"model", "mm_per_unit", "\"1\"", "model.mm_per_unit: must be a number, but it is a str"},
         {"edges/2/vertices", "0", "1.0", "edges[2].vertices[0]: must be an integer"},

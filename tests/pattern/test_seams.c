@@ -169,6 +169,100 @@ static void every_seam_has_its_number_twice_and_on_large_nets_on_the_tab(void **
     ktg_pattern_free(&p);
 }
 
+/* Where the two copies of a seam's edge lie, flat. */
+static void copies_of(const ktg_pattern *p, const ktg_pattern_seam *seam, uint32_t k,
+                      ktg_vec2 ends[2][2]) {
+    const ktg_pattern_edge *edge = &p->edges[seam->edges[k]];
+    for (int s = 0; s < 2; s++) {
+        const ktg_pattern_side *side = &edge->sides[seam->first_side[k] ^ s];
+        const ktg_pattern_piece *piece = &p->pieces[side->piece];
+        for (size_t f = 0; f < piece->face_count; f++)
+            for (uint32_t c = 0; c < 2 && piece->faces[f] == side->face; c++)
+                ends[s][c] = piece->vertices[piece->corners[3 * f + (side->corner + c) % 3]];
+    }
+}
+
+static size_t labels_on(const ktg_pattern *p, const ktg_pattern_seam *seam) {
+    size_t count = 0;
+    for (size_t i = 0; i < p->piece_count; i++)
+        for (size_t k = 0; k < p->pieces[i].label_count; k++)
+            for (uint32_t e = 0; e < seam->edge_count; e++)
+                count += p->pieces[i].labels[k].edge == seam->edges[e];
+    return count;
+}
+
+static void seams_in_narrow_notches_bear_no_number_and_come_last(void **state) {
+    size_t obvious = 0, plain = 0;
+    for (uint64_t seed = 1; seed < 10; seed++) {
+        ktg_pattern *p = finished(*state, make_bumpy_ball(20, 0.2, 2, seed), 1000, seed, NULL);
+        bool before = false;
+        for (size_t s = 0; s < p->seam_count; s++) {
+            const ktg_pattern_seam *seam = &p->seams[s];
+            assert_true(seam->obvious || !before);
+            before = seam->obvious;
+            assert_int_equal(labels_on(p, seam), seam->obvious ? 0 : 2);
+            if (!seam->obvious) {
+                plain++;
+                continue;
+            }
+            obvious++;
+            bool meet = false;
+            for (uint32_t k = 0; k < seam->edge_count; k++) {
+                ktg_vec2 e[2][2];
+                copies_of(p, seam, k, e);
+                ktg_vec2 apart = ktg_sub2(ktg_add2(e[0][0], e[0][1]), ktg_add2(e[1][0], e[1][1]));
+                assert_true(ktg_length2(apart) / 2 <= 12 + 1e-9);
+                meet = meet || ktg_length2(ktg_sub2(e[0][0], e[1][1])) < 1e-9 ||
+                       ktg_length2(ktg_sub2(e[0][1], e[1][0])) < 1e-9;
+            }
+            assert_true(meet);
+        }
+        ktg_pattern_free(&p);
+    }
+    assert_true(obvious > 10 && plain > 10);
+    ktg_finish_options o;
+    ktg_finish_defaults(&o);
+    o.numbers = KTG_NUMBER_EDGE; /* then all are numbered */
+    ktg_pattern *p = finished(*state, make_bumpy_ball(20, 0.2, 2, 1), 1000, 1, &o);
+    for (size_t s = 0; s < p->seam_count; s++)
+        assert_int_equal(labels_on(p, &p->seams[s]), 2 * p->seams[s].edge_count);
+    ktg_pattern_free(&p);
+}
+
+static void numbers_without_room_have_a_leader_to_their_edge(void **state) {
+    size_t leaders = 0;
+    ktg_finish_options o;
+    ktg_finish_defaults(&o);
+    o.numbers = KTG_NUMBER_EDGE;
+    for (uint64_t seed = 1; seed < 5; seed++) {
+        ktg_pattern *p = finished(*state, make_prism(24, 2.2, 40), 1000, seed, &o);
+        for (size_t i = 0; i < p->piece_count; i++)
+            for (size_t k = 0; k < p->pieces[i].label_count; k++) {
+                const ktg_pattern_label *label = &p->pieces[i].labels[k];
+                if (!label->leader)
+                    continue;
+                leaders++;
+                assert_true(label->edge != KTG_NONE);
+                double nearest = INFINITY;
+                for (int s = 0; s < 2; s++) {
+                    ktg_vec2 e[2][2];
+                    uint32_t edge = label->edge;
+                    ktg_pattern_seam one = {1, &edge, &(uint8_t){0}, {0, 0}, {0, 0}, false};
+                    copies_of(p, &one, 0, e);
+                    ktg_vec2 middle = ktg_mul2(ktg_add2(e[s][0], e[s][1]), 0.5);
+                    nearest = fmin(nearest, ktg_length2(ktg_sub2(label->foot, middle)));
+                }
+                assert_true(nearest < 0.31);
+                for (size_t j = 0; j < k; j++) {
+                    const ktg_pattern_label *other = &p->pieces[i].labels[j];
+                    assert_true(ktg_length2(ktg_sub2(other->at, label->at)) >= 1.6 - 1e-9);
+                }
+            }
+        ktg_pattern_free(&p);
+    }
+    assert_true(leaders > 5);
+}
+
 static bool has_text(const ktg_pattern *p, const char *text) {
     for (size_t i = 0; i < p->piece_count; i++)
         for (size_t k = 0; k < p->pieces[i].label_count; k++)
@@ -289,6 +383,8 @@ int main(void) {
         cmocka_unit_test(a_seam_that_zips_up_a_leaf_ends_there),
         cmocka_unit_test(outlines_are_closed_counter_clockwise_walks_with_all_tabs),
         cmocka_unit_test(every_seam_has_its_number_twice_and_on_large_nets_on_the_tab),
+        cmocka_unit_test(seams_in_narrow_notches_bear_no_number_and_come_last),
+        cmocka_unit_test(numbers_without_room_have_a_leader_to_their_edge),
         cmocka_unit_test(numbers_that_read_upside_down_have_a_dot),
         cmocka_unit_test(numbers_in_a_face_do_not_cover_each_other),
         cmocka_unit_test(pieces_are_named_when_there_are_several),

@@ -1,6 +1,7 @@
 /* Memory that runs out anywhere in the job: the call fails, nothing leaks, no file appears. */
 #include "bench.h"
 
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -71,6 +72,38 @@ static void a_net_with_a_hand_on_its_seams_needs_its_memory(void **state) {
     starve(b);
 }
 
+static void a_poster_needs_its_memory(void **state) {
+    bench *b = *state;
+    bench_sample(b, "star.obj");
+    bench_output(b, "net.pdf");
+    bench_output(b, "net.png");
+    bench_output(b, "net.json");
+    b->options.size_rule = KTG_SIZE_HEIGHT;
+    b->options.size_mm = 250;
+    b->options.large = KTG_LARGE_TILE;
+    b->options.render.dots_per_inch = 20;
+    starve(b);
+}
+
+static void one_page_and_many_sheets_need_their_memory(void **state) {
+    bench *b = *state;
+    bench_sample(b, "star.obj");
+    bench_output(b, "net.json");
+    b->options.sheets = 2;
+    b->options.unfold.seconds = 0.001; /* a trial or two */
+    starve(b);
+    bench_no_outputs(b);
+    bench_output(b, "page.json");
+    b->options.unfold.seconds = 0;
+    b->options.size_rule = KTG_SIZE_HEIGHT;
+    b->options.size_mm = 200;
+    b->options.layout.sheet.width_mm = b->options.layout.sheet.height_mm = INFINITY;
+    ktg_pipeline_report r;
+    bench_run(b, &r);
+    assert_int_equal(r.layout.sheets, 1);
+    assert_true(r.sheet_mm.x > 200 && r.sheet_mm.x < 600);
+}
+
 static void a_panel_needs_its_memory(void **state) {
     bench *b = *state;
     char text[4096] = "";
@@ -102,6 +135,9 @@ int main(void) {
                                         bench_teardown),
         cmocka_unit_test_setup_teardown(a_net_with_a_hand_on_its_seams_needs_its_memory,
                                         bench_setup, bench_teardown),
+        cmocka_unit_test_setup_teardown(a_poster_needs_its_memory, bench_setup, bench_teardown),
+        cmocka_unit_test_setup_teardown(one_page_and_many_sheets_need_their_memory, bench_setup,
+                                        bench_teardown),
         cmocka_unit_test_setup_teardown(a_panel_needs_its_memory, bench_setup, bench_teardown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

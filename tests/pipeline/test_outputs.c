@@ -45,12 +45,31 @@ static void sheets_are_numbered_where_there_are_several(void **state) {
     b->options.size_mm = 200;
     bench_run(b, &r);
     assert_true(r.layout.sheets > 1 && r.layout.sheets < 10);
-    assert_int_equal(bench_count(b), 3 + 2 * r.layout.sheets);
+    assert_int_equal(bench_count(b), 3 + r.layout.sheets); /* a PNG shows all of them */
     for (uint32_t i = 1; i <= r.layout.sheets; i++) {
-        char svg[] = "net-00.svg", png[] = "net-00.png";
-        svg[5] = png[5] = (char)('0' + i);
-        assert_true(bench_exists(b, svg) && bench_exists(b, png));
+        char svg[] = "net-00.svg";
+        svg[5] = (char)('0' + i);
+        assert_true(bench_exists(b, svg));
     }
+}
+
+static void a_number_in_the_name_asks_for_a_file_for_each_sheet(void **state) {
+    bench *b = *state;
+    ktg_pipeline_report r;
+    bench_sample(b, "robot.obj");
+    bench_output(b, "a%d.png");
+    bench_output(b, "page %d of.svg");
+    b->options.render.dots_per_inch = 20;
+    bench_run(b, &r);
+    assert_int_equal(r.layout.sheets, 1);
+    assert_true(bench_exists(b, "a01.png") && bench_exists(b, "page 01 of.svg"));
+    b->options.size_rule = KTG_SIZE_HEIGHT;
+    b->options.size_mm = 200;
+    bench_run(b, &r);
+    assert_int_equal(bench_count(b), 2 * r.layout.sheets);
+    assert_true(bench_exists(b, "a02.png") && bench_exists(b, "page 02 of.svg"));
+    bench_output(b, "a02.png"); /* what all sheets would show, and a sheet */
+    bench_refused(b, KTG_ARGUMENT, "a02.png: is to be written twice");
 }
 
 static void too_large_a_piece_names_what_fits_and_touches_nothing(void **state) {
@@ -63,7 +82,7 @@ static void too_large_a_piece_names_what_fits_and_touches_nothing(void **state) 
     bench_output(b, "net.json");
     b->options.size_rule = KTG_SIZE_FACTOR;
     b->options.size_mm = 30;
-    b->options.unfold.oversize = KTG_OVERSIZE_ERROR;
+    b->options.large = KTG_LARGE_ERROR;
     bench_refused(b, KTG_GEOMETRY, "fox.obj: piece 1");
     const char *told = strstr(ktg_context_message(b->context), "at most about ");
     assert_non_null(told);
@@ -236,6 +255,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(sheets_are_numbered_where_there_are_several, bench_setup,
                                         bench_teardown),
+        cmocka_unit_test_setup_teardown(a_number_in_the_name_asks_for_a_file_for_each_sheet,
+                                        bench_setup, bench_teardown),
         cmocka_unit_test_setup_teardown(too_large_a_piece_names_what_fits_and_touches_nothing,
                                         bench_setup, bench_teardown),
         cmocka_unit_test_setup_teardown(one_output_that_cannot_be_written_and_none_appears,

@@ -160,7 +160,7 @@ static void what_fits_is_one_sheet_and_hardly_more_does(void **state) {
     bench *b = *state;
     static const char *const samples[] = {"star.obj", "house.obj", "fox.obj", "robot.obj"};
     bench_output(b, "net.json");
-    b->options.unfold.oversize = KTG_OVERSIZE_ERROR;
+    b->options.large = KTG_LARGE_ERROR;
     for (size_t i = 0; i < sizeof samples / sizeof *samples; i++) {
         ktg_pipeline_report r, larger;
         bench_sample(b, samples[i]);

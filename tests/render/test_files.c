@@ -97,6 +97,32 @@ static void the_text_of_a_pdf_can_be_searched(void **state) {
     ktg_pattern_free(&pattern);
 }
 
+static void the_outline_says_what_lies_on_each_sheet(void **state) {
+    ktg_context *context = *state;
+    ktg_pattern *pattern = two_on_a4(context);
+    char *bytes;
+    size_t size;
+    assert_int_equal(render_bytes(context, pattern, "pdf", 0, NULL, &bytes, &size), KTG_OK);
+    assert_int_equal(count_text(bytes, size, "(Sheets)"), 1);
+    assert_int_equal(count_text(bytes, size, "(Sheet 1: strip 1 of 2)"), 1);
+    assert_int_equal(count_text(bytes, size, "(Sheet 2: strip 2 of 2)"), 1);
+    ktg_free(bytes);
+    pattern->sheet_count = 1;
+    assert_int_equal(render_bytes(context, pattern, "pdf", 0, NULL, &bytes, &size), KTG_OK);
+    assert_int_equal(count_text(bytes, size, "(Sheets)"), 0);
+    ktg_free(bytes);
+    pattern->sheet_count = 2;
+    for (uint32_t k = 0; k < 2; k++) {
+        pattern->sheets[k].kind = KTG_TILE;
+        pattern->sheets[k].poster = k + 1;
+    }
+    assert_int_equal(render_bytes(context, pattern, "pdf", 0, NULL, &bytes, &size), KTG_OK);
+    assert_int_equal(count_text(bytes, size, "(Poster 2: strip 2 of 2)"), 1);
+    assert_int_equal(count_text(bytes, size, "(2-A1)"), 1);
+    ktg_free(bytes);
+    ktg_pattern_free(&pattern);
+}
+
 static void the_fonts_of_a_pdf_are_embedded(void **state) {
     ktg_context *context = *state;
     if (!installed("pdffonts"))
@@ -133,10 +159,10 @@ static void a_pdf_says_what_it_is(void **state) {
 }
 
 static void the_same_pattern_gives_the_same_bytes(void **state) {
-    static const char *const kinds[] = {"pdf", "svg", "png"};
+    static const char *const kinds[] = {"pdf", "svg", "png", "contact"};
     ktg_context *context = *state;
     ktg_pattern *pattern = two_on_a4(context);
-    for (size_t k = 0; k < 3; k++) {
+    for (size_t k = 0; k < 4; k++) {
         char *first, *second;
         size_t first_size, second_size;
         assert_int_equal(render_bytes(context, pattern, kinds[k], 1, NULL, &first, &first_size),
@@ -203,6 +229,41 @@ static void any_title_will_do(void **state) {
     ktg_pattern_free(&pattern);
 }
 
+/* Width and height stand in the header of a PNG, 16 bytes from its start. */
+static uint32_t png_number(const char *bytes, size_t at) {
+    const unsigned char *b = (const unsigned char *)bytes + at;
+    return (uint32_t)b[0] << 24 | (uint32_t)b[1] << 16 | (uint32_t)b[2] << 8 | b[3];
+}
+
+static void one_picture_shows_all_sheets(void **state) {
+    ktg_context *context = *state;
+    ktg_render_options options;
+    ktg_render_defaults(&options);
+    static const uint32_t counts[] = {1, 5, 40};
+    for (size_t k = 0; k < 3; k++) {
+        ktg_pattern *pattern = make_strips(context, counts[k], 210, 297, 10, 40, 200);
+        char *bytes;
+        size_t size;
+        options.dots_per_inch = 25.4; /* a pixel for a millimetre */
+        assert_int_equal(render_bytes(context, pattern, "contact", 0, &options, &bytes, &size),
+                         KTG_OK);
+        uint32_t columns = (png_number(bytes, 16) - 8) / 218,
+                 rows = (png_number(bytes, 20) - 8) / 305;
+        assert_int_equal(png_number(bytes, 16), 8 + 218 * columns);
+        assert_int_equal(png_number(bytes, 20), 8 + 305 * rows);
+        assert_true(columns * rows >= counts[k] && columns * rows < counts[k] + columns);
+        ktg_free(bytes);
+        options.dots_per_inch = 600;
+        assert_int_equal(render_bytes(context, pattern, "contact", 0, &options, &bytes, &size),
+                         KTG_OK);
+        assert_int_equal(png_number(bytes, 16) > png_number(bytes, 20) ? png_number(bytes, 16)
+                                                                       : png_number(bytes, 20),
+                         3000);
+        ktg_free(bytes);
+        ktg_pattern_free(&pattern);
+    }
+}
+
 static void what_cannot_be_drawn_is_refused(void **state) {
     ktg_context *context = *state;
     ktg_pattern *pattern = two_on_a4(context);
@@ -263,10 +324,10 @@ static void a_full_disk_is_told(void **state) {
 }
 
 static void short_memory_is_survived(void **state) {
-    static const char *const kinds[] = {"pdf", "svg", "png"};
+    static const char *const kinds[] = {"pdf", "svg", "png", "contact"};
     ktg_context *context = *state;
     ktg_pattern *pattern = two_on_a4(context);
-    for (size_t k = 0; k < 3; k++) {
+    for (size_t k = 0; k < 4; k++) {
         ktg_status status = KTG_MEMORY;
         for (uint64_t nth = 1; status != KTG_OK && nth < 200; nth++) {
             char *bytes;
@@ -303,6 +364,8 @@ int main(void) {
         cmocka_unit_test_setup_teardown(a_pdf_has_a_page_per_sheet, make_context, drop_context),
         cmocka_unit_test_setup_teardown(the_text_of_a_pdf_can_be_searched, make_context,
                                         drop_context),
+        cmocka_unit_test_setup_teardown(the_outline_says_what_lies_on_each_sheet, make_context,
+                                        drop_context),
         cmocka_unit_test_setup_teardown(the_fonts_of_a_pdf_are_embedded, make_context,
                                         drop_context),
         cmocka_unit_test_setup_teardown(a_pdf_says_what_it_is, make_context, drop_context),
@@ -310,6 +373,7 @@ int main(void) {
                                         drop_context),
         cmocka_unit_test_setup_teardown(an_svg_is_in_millimetres, make_context, drop_context),
         cmocka_unit_test_setup_teardown(any_title_will_do, make_context, drop_context),
+        cmocka_unit_test_setup_teardown(one_picture_shows_all_sheets, make_context, drop_context),
         cmocka_unit_test_setup_teardown(what_cannot_be_drawn_is_refused, make_context,
                                         drop_context),
         cmocka_unit_test_setup_teardown(a_full_disk_is_told, make_context, drop_context),

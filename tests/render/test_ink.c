@@ -318,8 +318,9 @@ static void furniture_stays_between_paper_edge_and_printable_area(void **state) 
         snapshot picture = take(context, pattern, &options);
         assert_true(ink_edge(&picture) >= 6.35 - 1.1 / picture.dots_per_mm);
         assert_true(ink_edge(&picture) < margin);
-        assert_false(has_ink(&picture, margin + 0.2, margin + 0.2, width - margin - 0.2,
-                             height - margin - 0.2));
+        if (width >= 100) /* else the legend finds a pocket inside */
+            assert_false(has_ink(&picture, margin + 0.2, margin + 0.2, width - margin - 0.2,
+                                 height - margin - 0.2));
         cairo_surface_destroy(picture.surface);
         ktg_pattern_free(&pattern);
     }
@@ -344,6 +345,36 @@ static void furniture_keeps_out_of_the_pieces_in_narrow_margins(void **state) {
         cairo_surface_destroy(picture.surface);
         ktg_pattern_free(&pattern);
     }
+}
+
+static void furniture_finds_a_pocket_between_the_pieces(void **state) {
+    static const ktg_vec2 corners[] = {{5, 5}, {130, 5}, {5, 155}, {130, 155}};
+    ktg_context *context = *state;
+    ktg_render_options options;
+    ktg_render_defaults(&options);
+    options.dots_per_inch = 127;
+    ktg_pattern *pattern = make_strips(context, 4, 260, 200, 5, 0, 0);
+    ktg_pattern_placement *places = ktg_new(context, 4, ktg_pattern_placement);
+    for (uint32_t k = 0; k < 4; k++) {
+        places[k] = (ktg_pattern_placement){k, corners[k].x, corners[k].y, 0};
+        ktg_free(pattern->sheets[k].placements);
+        pattern->sheets[k].placements = NULL;
+        pattern->sheets[k].placement_count = 0;
+    }
+    pattern->sheets[0].placements = places;
+    pattern->sheets[0].placement_count = 4;
+    pattern->sheet_count = 1;
+    snapshot picture = take(context, pattern, &options);
+    assert_true(has_ink(&picture, 6, 47, 254, 153));
+    assert_false(has_ink(&picture, 0, 45.5, 260, 46.8)); /* clear of the pieces */
+    cairo_surface_destroy(picture.surface);
+    char *bytes;
+    size_t size;
+    assert_int_equal(render_bytes(context, pattern, "pdf", 0, NULL, &bytes, &size), KTG_OK);
+    assert_null(memmem(bytes, size, "How to read this pattern", 24));
+    ktg_free(bytes);
+    pattern->sheet_count = 4;
+    ktg_pattern_free(&pattern);
 }
 
 static void a_full_sheet_gets_a_page_that_explains_it(void **state) {
@@ -484,6 +515,8 @@ int main(void) {
                                         make_context, drop_context),
         cmocka_unit_test_setup_teardown(furniture_keeps_out_of_the_pieces_in_narrow_margins,
                                         make_context, drop_context),
+        cmocka_unit_test_setup_teardown(furniture_finds_a_pocket_between_the_pieces, make_context,
+                                        drop_context),
         cmocka_unit_test_setup_teardown(a_full_sheet_gets_a_page_that_explains_it, make_context,
                                         drop_context),
         cmocka_unit_test_setup_teardown(cloth_has_seam_and_grain_lines_and_no_folds, make_context,

@@ -31,6 +31,10 @@ static void what_is_no_utf8_is_replaced(void **state) {
          "d",
          "a b c  d"},
         {"\xe2\x80\xa8", " "}, /* line separator */
+        {"a\xe2\x80\xae"
+         "b\xe2\x81\xa6"
+         "c\xef\xbb\xbf",
+         "abc"}, /* marks of direction */
     };
     char clean[64];
     (void)state;
@@ -38,6 +42,33 @@ static void what_is_no_utf8_is_replaced(void **state) {
         ktg_text_clean(cases[i][0], SIZE_MAX, clean, sizeof clean);
         assert_string_equal(clean, cases[i][1]);
     }
+}
+
+#define ALEF  "\xd7\x90"
+#define BET   "\xd7\x91"
+#define GIMEL "\xd7\x92"
+
+static void letters_from_right_to_left_stand_in_their_order(void **state) {
+    static const char *const cases[][2] = {
+        {"fox 12", "fox 12"},
+        {ALEF BET GIMEL, GIMEL BET ALEF},
+        {"a " ALEF BET " b", "a " BET ALEF " b"},
+        {ALEF BET " " GIMEL ALEF "!", ALEF GIMEL " " BET ALEF "!"},
+        {ALEF " 12 " BET, BET " 12 " ALEF},
+        {ALEF " 2 of 3", ALEF " 2 of 3"},
+        {ALEF " (" BET ") " GIMEL, GIMEL " (" BET ") " ALEF},
+        {"\xe5\x9e\x8b\xf0\x9f\xa6\x8a" ALEF BET, "\xe5\x9e\x8b\xf0\x9f\xa6\x8a" BET ALEF},
+    };
+    char ordered[KTG_TITLE_SIZE], endless[2 * KTG_TITLE_SIZE];
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        assert_string_equal(ktg_text_order(cases[i][0], ordered), cases[i][1]);
+    for (size_t i = 0; i + 1 < sizeof endless; i++)
+        endless[i] = ALEF[i % 2];
+    endless[sizeof endless - 1] = 0;
+    assert_ptr_equal(ktg_text_order(endless, ordered), endless);
+    endless[KTG_TITLE_SIZE - 2] = 0;
+    assert_string_equal(ktg_text_order(endless, ordered), endless);
 }
 
 static void text_is_cut_between_characters(void **state) {
@@ -95,6 +126,7 @@ static void long_text_ends_with_an_ellipsis(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_is_no_utf8_is_replaced),
+        cmocka_unit_test(letters_from_right_to_left_stand_in_their_order),
         cmocka_unit_test(text_is_cut_between_characters),
         cmocka_unit_test(noise_is_made_text_cairo_takes),
         cmocka_unit_test(long_text_ends_with_an_ellipsis),

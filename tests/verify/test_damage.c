@@ -571,6 +571,40 @@ static void pieces_on_a_sheet_are_apart(void **state) {
     refuse(state, "Pieces 1 and 2 overlap on sheet 1 by");
 }
 
+/* Makes two tiles of the only sheet, which share a strip at `cut` mm from the left, 10 mm wide. */
+static void split_sheet(ktg_pattern *p, double cut) {
+    ktg_pattern_sheet *tiles = realloc(p->sheets, 2 * sizeof *tiles);
+    ktg_pattern_placement *at = calloc(1, sizeof *at);
+    p->sheets = tiles;
+    p->sheet_count = 2;
+    *at = tiles[0].placements[0];
+    tiles[0].kind = KTG_TILE;
+    tiles[1] = tiles[0];
+    tiles[1].placements = at;
+    tiles[0].printable[2] = cut + 10;
+    tiles[1].printable[0] = cut;
+}
+
+static void tiles_show_all_of_their_piece(void **state) {
+    ktg_pattern *p = take(state, &cube);
+    split_sheet(p, 200);
+    accept(state);
+    p->sheets[1].printable[0] += 9.9;
+    accept(state);
+    p->sheets[1].printable[0] += 0.2;
+    refuse(state, "of piece 1 are on none of its tiles");
+    p->sheets[1].printable[0] -= 1;
+    p->sheets[1].placements[0].y += 200;
+    refuse(state, "of piece 1 are on none of its tiles");
+    p->sheets[1].placements[0].y -= 200;
+    p->sheets[1].placements[0].rotation += 1e-3;
+    refuse(state, "The tiles of piece 1 hold it in different turns");
+    p = take(state, &cube);
+    split_sheet(p, 200);
+    p->sheets[0].kind = KTG_SHEET;
+    refuse(state, "Piece 1 is on a sheet and on tiles");
+}
+
 #define CASE(name) cmocka_unit_test_setup_teardown(name, setup, teardown)
 
 int main(void) {
@@ -612,6 +646,7 @@ int main(void) {
         CASE(each_piece_is_placed_once),
         CASE(pieces_stay_inside_what_can_be_printed),
         CASE(pieces_on_a_sheet_are_apart),
+        CASE(tiles_show_all_of_their_piece),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
