@@ -6,10 +6,13 @@
 
 #include <string.h>
 
-/* With enough work there are several starts, as many as get so much work for each face; then the
- * better ones go on, and the best of those. */
-#define START_WORK 8000.0
-#define ROUNDS     3
+/* With enough work there are several starts, as many as get so much work for each face, or a few
+ * with less, since a single one may be unlucky; then the better ones go on, and the best of those.
+ */
+#define START_WORK       8000.0
+#define START_WORK_LEAST 2000.0
+#define FEW_STARTS       3.0
+#define ROUNDS           3
 static const struct round {
     uint32_t most; /* this many are in the round, at most; ... */
     uint32_t of;   /* ... or one of so many starts */
@@ -128,8 +131,10 @@ static ktg_status try_attempt(ktg_context *context, uint32_t index, void *user) 
 /* ---- rounds --------------------------------------------------------------------------------- */
 
 static uint32_t starts_for(const ktg_arrange_goal *goal, const ktg_dual *dual) {
-    double count = rounds[0].part * (double)goal->work / (START_WORK * dual->face_count);
-    return goal->fixed || count < 2 ? 1 : count > rounds[0].most ? rounds[0].most : (uint32_t)count;
+    double work = rounds[0].part * (double)goal->work / dual->face_count;
+    double count = fmax(work / START_WORK, fmin(FEW_STARTS, work / START_WORK_LEAST));
+    count = fmin(count, rounds[0].most);
+    return goal->fixed || count < 2 ? 1 : (uint32_t)count;
 }
 
 /* Random numbers, limits and progress of their own for all. */
