@@ -34,7 +34,10 @@ static void a_surface_that_can_be_laid_flat_keeps_every_length(void **state) {
 
 static void unit_weights_lay_developable_surfaces_flat_too(void **state) {
     ktg_context *context = *state;
-    ktg_flatten_options options = {KTG_WEIGHT_UNIT};
+    ktg_flatten_options options;
+    ktg_flatten_defaults(&options);
+    options.method = KTG_FLATTEN_TWO_STEP;
+    options.weight = KTG_WEIGHT_UNIT;
     ktg_flatten_report report;
     ktg_pattern *pattern;
     ktg_mesh *mesh = grid_panel(context, cone, 16);
