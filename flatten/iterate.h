@@ -71,9 +71,10 @@ KTG_NODISCARD ktg_status ktg_laplacian_factor(ktg_context *context, ktg_laplacia
 KTG_NODISCARD ktg_status ktg_laplacian_solve(ktg_context *context, ktg_laplacian *laplacian,
                                              const ktg_vec2 *right, ktg_vec2 *solution);
 
-/* Fills in the unknowns such that L positions = right there (NULL: 0, harmonic). */
+/* Fills in the unknowns such that L positions = 0 there: the harmonic extension of held positions.
+ */
 KTG_NODISCARD ktg_status ktg_laplacian_extend(ktg_context *context, ktg_laplacian *laplacian,
-                                              const ktg_vec2 *right, ktg_vec2 *positions);
+                                              ktg_vec2 *positions);
 
 /* ---- start.c ------------------------------------------------------------------------------ */
 
@@ -108,6 +109,17 @@ double ktg_largest_step(const ktg_panel *panel, const ktg_vec2 *flat, const ktg_
 void ktg_dirichlet_set_size(const ktg_panel *panel, const ktg_rest *rests, ktg_vec2 *flat);
 
 /* ---- relax.c ------------------------------------------------------------------------------ */
+
+/* The symmetric Dirichlet energy of the faces around a vertex, with its gradient and Hessian for
+ * that vertex's position. */
+typedef struct ktg_ring_energy {
+    double value;
+    ktg_vec2 slope;
+    double xx, xy, yy;
+} ktg_ring_energy;
+
+ktg_ring_energy ktg_ring_energy_of(const ktg_panel *panel, const ktg_rest *rests,
+                                   const ktg_vec2 *flat, uint32_t vertex);
 
 /* Moves each vertex once, so that the symmetric Dirichlet energy of its faces falls; `flat` has no
  * fold and gets none. */

@@ -102,8 +102,8 @@ static void put_right(ktg_laplacian *l, const ktg_vec2 *right) {
         uint32_t k = l->number[v];
         if (k == KTG_NONE)
             continue;
-        l->right[k] = right ? right[v].x : 0;
-        l->right[(size_t)l->count + k] = right ? right[v].y : 0;
+        l->right[k] = right[v].x;
+        l->right[(size_t)l->count + k] = right[v].y;
     }
 }
 
@@ -125,9 +125,8 @@ static void add_held(ktg_laplacian *l, uint32_t vertex, ktg_vec2 held, double we
     l->right[(size_t)l->count + k] += weight * held.y;
 }
 
-ktg_status ktg_laplacian_extend(ktg_context *context, ktg_laplacian *l, const ktg_vec2 *right,
-                                ktg_vec2 *positions) {
-    put_right(l, right);
+ktg_status ktg_laplacian_extend(ktg_context *context, ktg_laplacian *l, ktg_vec2 *positions) {
+    memset(l->right, 0, 2 * (size_t)l->count * sizeof *l->right);
     for (uint32_t e = 0; e < l->panel->adjacency->edge_count; e++) {
         uint32_t ends[2];
         edge_ends(l->panel, e, ends);

@@ -6,13 +6,6 @@
 #include "core/vec.h"
 #include "flatten/iterate.h"
 
-/* Value, gradient and Hessian of the faces around a vertex as its position changes. */
-typedef struct ring_energy {
-    double value;
-    ktg_vec2 slope;
-    double xx, xy, yy;
-} ring_energy;
-
 /* The gradient of the hat function of a face's corner, in the face's plane. */
 static ktg_vec2 hat_gradient(const ktg_rest *rest, uint32_t corner) {
     ktg_vec2 b = {rest->inverse_length, -rest->x * rest->inverse_length * rest->inverse_height};
@@ -22,7 +15,7 @@ static ktg_vec2 hat_gradient(const ktg_rest *rest, uint32_t corner) {
 
 /* E = s p(d) / 2 with s = |J|^2, d = det J, p = 1 + d^-2. When the corner moves by m, J changes by
  * m g^T, s by 2 m . (J g) + m^2 g^2 and d by m . n, linearly. */
-static void add_face(const ktg_rest *rest, ktg_jacobian j, uint32_t corner, ring_energy *e) {
+static void add_face(const ktg_rest *rest, ktg_jacobian j, uint32_t corner, ktg_ring_energy *e) {
     double s = ktg_dot2(j.x, j.x) + ktg_dot2(j.y, j.y), d = ktg_cross2(j.x, j.y);
     if (!(d > 0)) {
         e->value = INFINITY;
@@ -40,9 +33,9 @@ static void add_face(const ktg_rest *rest, ktg_jacobian j, uint32_t corner, ring
     e->yy += a * (gg * p + 2 * dp * jg.y * n.y + s * ddp * n.y * n.y / 2);
 }
 
-static ring_energy ring_energy_of(const ktg_panel *panel, const ktg_rest *rests,
-                                  const ktg_vec2 *flat, uint32_t v) {
-    ring_energy e = {0};
+ktg_ring_energy ktg_ring_energy_of(const ktg_panel *panel, const ktg_rest *rests,
+                                   const ktg_vec2 *flat, uint32_t v) {
+    ktg_ring_energy e = {0};
     uint32_t h = panel->leaving[v];
     do {
         ktg_jacobian j = ktg_jacobian_of(&rests[h / 3], panel->faces + h - h % 3, flat);
@@ -53,7 +46,7 @@ static ring_energy ring_energy_of(const ktg_panel *panel, const ktg_rest *rests,
 }
 
 /* Newton's step where the Hessian is positive definite, else down the slope. */
-static ktg_vec2 newton_step(const ring_energy *e) {
+static ktg_vec2 newton_step(const ktg_ring_energy *e) {
     double determinant = e->xx * e->yy - e->xy * e->xy, trace = e->xx + e->yy;
     if (!(determinant > 1e-6 * trace * trace))
         return ktg_mul2(e->slope, -1 / fabs(trace));
@@ -64,11 +57,11 @@ static ktg_vec2 newton_step(const ring_energy *e) {
 static void relax_vertex(const ktg_panel *panel, const ktg_rest *rests, ktg_vec2 *flat,
                          uint32_t v) {
     ktg_vec2 from = flat[v];
-    ring_energy e = ring_energy_of(panel, rests, flat, v);
+    ktg_ring_energy e = ktg_ring_energy_of(panel, rests, flat, v);
     ktg_vec2 step = newton_step(&e);
     for (double t = 1; t > 1e-3; t /= 2) {
         flat[v] = ktg_madd2(from, t, step);
-        if (ring_energy_of(panel, rests, flat, v).value < e.value)
+        if (ktg_ring_energy_of(panel, rests, flat, v).value < e.value)
             return;
     }
     flat[v] = from;

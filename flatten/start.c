@@ -142,7 +142,7 @@ static ktg_status conformal(ktg_context *context, const ktg_panel *panel, const 
         flat[v].x = -flat[v].x;
     add_flow(panel, work->weights, flat, work->defects);
     lay_border(&work->border, work->defects, flat);
-    return ktg_laplacian_extend(context, work->inside, NULL, flat);
+    return ktg_laplacian_extend(context, work->inside, flat);
 }
 
 ktg_status ktg_conformal_start(ktg_context *context, const ktg_panel *panel, const ktg_rest *rests,
@@ -182,7 +182,7 @@ static ktg_status extend_alike(ktg_context *context, const ktg_panel *panel, ktg
         weights[e] = 1;
     ktg_status status = ktg_laplacian_factor(context, inside, weights);
     ktg_free(weights);
-    return status == KTG_OK ? ktg_laplacian_extend(context, inside, NULL, flat) : status;
+    return status == KTG_OK ? ktg_laplacian_extend(context, inside, flat) : status;
 }
 
 ktg_status ktg_convex_start(ktg_context *context, const ktg_panel *panel, const ktg_rest *rests,
