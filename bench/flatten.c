@@ -63,8 +63,10 @@ static int read_options(int argc, char **argv, command *c) {
             c->json = fopen(value, "w");
         else if (strcmp(argv[i], "--methods") != 0 || !read_methods(value, c->methods))
             return 0;
-        if (strcmp(argv[i], "--json") == 0 && !c->json)
+        if (strcmp(argv[i], "--json") == 0 && !c->json) {
             perror(value);
+            return 0;
+        }
     }
     return i < argc && c->repeats >= 1 ? i : 0;
 }
