@@ -69,6 +69,10 @@ static void tell_result(void *user, const ktg_pipeline_report *r) {
     fprintf(stderr, "%u faces in %u piece%s on %u sheet%s of %s, %.0f %% filled\n", r->faces,
             r->pieces, plural(r->pieces), r->layout.sheets, plural(r->layout.sheets),
             s->pipeline.layout.sheet.name, 100 * r->layout.fill);
+    if (s->pipeline.layout.roll)
+        fprintf(stderr, "the %s %.0f mm long\n",
+                r->layout.sheets == 1 ? "sheet is" : "last sheet is",
+                r->layout.last_mm + 2 * s->pipeline.layout.sheet.margin_mm);
     fprintf(stderr,
             "finished size %.0f x %.0f x %.0f mm (width x height x length), %.4g mm per unit\n",
             r->size_mm.x, r->size_mm.y, r->size_mm.z, r->mm_per_unit);

@@ -8,7 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define PI      3.14159265358979323846
+#define PI              3.14159265358979323846
+#define LONGEST_PAGE_MM 5000
+
 #define PAPER   (CMD_UNFOLD | CMD_FLATTEN)
 #define EVERY   (PAPER | CMD_SIMPLIFY | CMD_INFO | CMD_VERIFY)
 #define LARGEST 1e9
@@ -161,16 +163,29 @@ static bool set_paper(settings *s, const char *text) {
     if (ktg_context_new(&context) != KTG_OK)
         return false;
     ktg_status status = ktg_sheet_parse(context, text, &s->pipeline.layout.sheet);
+    s->pipeline.layout.roll = false;
     if (status != KTG_OK)
         snprintf(s->complaint, sizeof s->complaint, "%s", ktg_context_message(context));
     ktg_context_free(&context);
     return status == KTG_OK;
 }
 
+/* A roll: pages as wide as it is, and as long as a PDF's may be. */
+static bool set_roll(settings *s, const char *text) {
+    ktg_sheet_format *sheet = &s->pipeline.layout.sheet;
+    double width_mm;
+    if (!cli_parse_length(text, &width_mm) || width_mm < 20 || width_mm > LONGEST_PAGE_MM)
+        return false;
+    sheet->width_mm = width_mm;
+    sheet->height_mm = LONGEST_PAGE_MM;
+    strcpy(sheet->name, "the roll");
+    return s->pipeline.layout.roll = true;
+}
+
 static bool set_landscape(settings *s, const char *text) {
     (void)text;
     ktg_sheet_format *sheet = &s->pipeline.layout.sheet;
-    if (sheet->width_mm < sheet->height_mm) {
+    if (sheet->width_mm < sheet->height_mm && !s->pipeline.layout.roll) {
         double width = sheet->width_mm;
         sheet->width_mm = sheet->height_mm;
         sheet->height_mm = width;
@@ -255,6 +270,7 @@ static bool set_effort(settings *s, const char *text) {
     static const char *const efforts[] = {"quick", "normal", "best", NULL};
     int effort = word_index(text, efforts);
     s->pipeline.unfold.effort = effort >= 0 ? (ktg_effort)effort : KTG_EFFORT_NORMAL;
+    s->pipeline.layout.effort = s->pipeline.unfold.effort;
     return effort >= 0;
 }
 
@@ -375,6 +391,8 @@ static const option_line lines[] = {
     {"up", 0, "x|y|z", PAPER, set_up, "which axis is height (STL: z, others: y)"},
     {"paper", 'p', "FORMAT", PAPER, set_paper, "a4 ... a0, letter, legal, tabloid, WxH (a4)"},
     {"landscape", 0, NULL, PAPER, set_landscape, "turn the sheet"},
+    {"roll", 0, "WIDTH", PAPER, set_roll,
+     "instead of sheets: pages of that width, cut off where the pieces end"},
     {"margin", 0, "LENGTH", PAPER, set_margin, "left free on every side of a sheet (10mm)"},
     {"gap", 0, "LENGTH", PAPER, set_gap, "between pieces (2mm)"},
     {"oversize", 0, "split|error", CMD_UNFOLD, set_oversize,
@@ -395,7 +413,7 @@ static const option_line lines[] = {
     {"method", 0, "auto|genetic", CMD_UNFOLD, set_method_unfold,
      "transplants, or the paper's genetic merging (auto)"},
     {"effort", 0, "quick|normal|best", CMD_UNFOLD, set_effort,
-     "work spent on a compact net, so that the model gets larger (normal)"},
+     "work spent on a compact net and on nesting its pieces (normal)"},
     {"ease", 0, "WEIGHT", CMD_UNFOLD, set_ease,
      "0 to 10: how much an easy assembly counts against size and tabs (0)"},
     {"method", 0, "arap|injective|two-step", CMD_FLATTEN, set_method_flatten,

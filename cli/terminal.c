@@ -12,7 +12,7 @@
 static volatile sig_atomic_t interrupts;
 static struct {
     bool line_shown;
-    double last_seconds;
+    double first_seconds, last_seconds; /* when it was shown; 0: not yet */
 } progress;
 
 /* The first Ctrl-C ends searches, the second one the job, a third one the process: it may be
@@ -86,8 +86,10 @@ static void show_progress(void *user, const char *stage, double fraction, const 
     if (now - progress.last_seconds < 0.1)
         return;
     progress.last_seconds = now;
+    if (progress.first_seconds <= 0)
+        progress.first_seconds = now;
     cli_end_progress();
-    fprintf(stderr, "%s %3.0f %%", stage, 100 * fraction);
+    fprintf(stderr, "%.0f s  %s %3.0f %%", now - progress.first_seconds, stage, 100 * fraction);
     if (detail) {
         fputs("  ", stderr);
         cli_print_safe(stderr, detail);

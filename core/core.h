@@ -40,6 +40,9 @@ typedef enum ktg_status {
     KTG_INTERNAL   /* a defect of this library */
 } ktg_status;
 
+/* How much work a search spends; counted, so that results do not depend on the machine. */
+typedef enum ktg_effort { KTG_EFFORT_QUICK, KTG_EFFORT_NORMAL, KTG_EFFORT_BEST } ktg_effort;
+
 /* Points and vectors; plain, so that arrays of them are arrays of doubles. */
 typedef struct ktg_vec2 {
     double x, y;

@@ -1,4 +1,4 @@
-/* layout/layout.h - pieces onto sheets. Places, never changes a size. */
+/* layout/layout.h - pieces onto sheets, into each other's bays. Places, never changes a size. */
 #ifndef KTG_LAYOUT_LAYOUT_H
 #define KTG_LAYOUT_LAYOUT_H
 
@@ -11,22 +11,32 @@ extern "C" {
 
 typedef struct ktg_layout_options {
     ktg_sheet_format sheet; /* A4 */
-    double gap_mm;          /* between pieces; 2 mm */
-    bool keep_grain;        /* only turns of 0 and 180 degrees (cloth); false */
+    bool roll;         /* the sheet is cut from a roll: it is as wide as it says, and each one is
+                          cut off where it ends, height_mm at most; false */
+    double gap_mm;     /* between pieces; 2 mm */
+    bool keep_grain;   /* only turns of 0 and 180 degrees (cloth); false */
+    ktg_effort effort; /* normal: work spent on nesting several pieces; at most about 1, 5 and 30
+                          seconds, less for few pieces */
+    double seconds;    /* an upper bound on the nesting's time; 0: none */
 } ktg_layout_options;
 
 KTG_API void ktg_layout_defaults(ktg_layout_options *options);
 
 typedef struct ktg_layout_report {
     uint32_t sheets;
-    double fill; /* area of faces over printable area of the sheets used, 0..1 */
+    double fill;      /* area of faces over printable area of the sheets used, 0..1 */
+    double last_mm;   /* how far down the last sheet's printable area pieces reach */
+    uint64_t work;    /* what nesting spent, of options->effort */
+    uint32_t records; /* how often nesting found something better; 0: the rows it started from */
 } ktg_layout_report;
 
 /* Fills pattern->sheets (replacing what was there) so that every piece lies on exactly one sheet,
- * inside its printable area, and the boxes around the pieces do not overlap: a single piece at the
- * rotation with the most room around it, several in rows. The pattern must be finished.
- * KTG_GEOMETRY when a piece is larger than the sheet: the message names the piece, its size, and
- * the scale and finished height at which it would fit. */
+ * inside its printable area, at least the gap away from every other piece; proven for the outlines
+ * with exact predicates. A single piece lies at the turn with the most room around it. Several are
+ * nested by their shapes: on as few sheets as are found, and as far up on the last as can be.
+ * Random choices follow the context's seed; a cancel callback that says KTG_FINISH keeps the best
+ * so far. The pattern must be finished. KTG_GEOMETRY when a piece is larger than the sheet: the
+ * message names the piece, its size, and the scale and finished height at which it would fit. */
 KTG_API KTG_NODISCARD ktg_status ktg_layout_place(ktg_context *context, ktg_pattern *pattern,
                                                   const ktg_layout_options *options,
                                                   ktg_layout_report *report);

@@ -2,6 +2,7 @@
 #include "pattern/finish.h"
 
 #include "core/memory.h"
+#include "pattern/offset.h"
 
 static void forget_shapes(ktg_pattern_piece *piece) {
     for (size_t i = 0; i < piece->line_count; i++)

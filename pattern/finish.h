@@ -18,13 +18,6 @@ KTG_NODISCARD ktg_status ktg_outlines_with_allowance(ktg_context *context,
                                                      const ktg_topology *topology,
                                                      double allowance_mm, ktg_pattern *pattern);
 
-/* The outer boundary of the region within `distance` of a polygon, with mitred corners (offset.c):
- * a simple, counter-clockwise polygon in *outline (allocated). The polygon is counter-clockwise,
- * weakly simple and has at least 3 corners. KTG_GEOMETRY when it is so bent that none is found. */
-KTG_NODISCARD ktg_status ktg_offset_outward(ktg_context *context, const ktg_vec2 *polygon,
-                                            size_t count, double distance, ktg_vec2 **outline,
-                                            size_t *outline_count);
-
 /* Numbers of seams or edges, and names of pieces (labels.c). */
 KTG_NODISCARD ktg_status ktg_labels_write(ktg_context *context, const ktg_topology *topology,
                                           const ktg_finish_options *options, ktg_pattern *pattern);

@@ -1,4 +1,4 @@
-/* pattern/hull.h - convex hulls for fitting (pattern only). */
+/* pattern/hull.h - convex hulls (lent to layout/). */
 #ifndef KTG_PATTERN_HULL_H
 #define KTG_PATTERN_HULL_H
 

@@ -4,9 +4,10 @@
  * boundary of the polygon and all of these together. Their boundaries add up to one closed curve,
  * the raw offset, which at a concave corner runs through the corner itself: no part of it winds
  * backwards, so that its outermost walk is that boundary, wherever it crosses itself. */
-#include "pattern/finish.h"
+#include "pattern/offset.h"
 
 #include "core/memory.h"
+#include "core/vec.h"
 #include "pattern/offset_walk.h"
 
 /* Mitres longer than this many distances are cut off at one distance from the corner. */

@@ -59,7 +59,7 @@ typedef struct ktg_pipeline_options {
     ktg_unfold_options unfold; /* its sheet, finish, scale and rules are set by the run */
     ktg_flatten_options flatten;
     ktg_finish_options finish;
-    ktg_layout_options layout;
+    ktg_layout_options layout; /* what unfold.seconds leaves limits its time */
     ktg_render_options render;
 
     const char *const *outputs; /* output_count paths, kinds by ending: .pdf .svg .png .json; "-" is

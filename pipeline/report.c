@@ -81,6 +81,7 @@ ktg_status ktg_pipeline_write_report(ktg_context *context, const ktg_pipeline_op
                               {"height_mm", r->size_mm.y},
                               {"length_mm", r->size_mm.z},
                               {"fill", r->layout.fill},
+                              {"last_sheet_mm", r->layout.last_mm},
                               {"seconds", r->seconds},
                               {"seconds_unfold", r->seconds_unfold}};
     bool paper = options->mode == KTG_PAPER;

@@ -48,14 +48,27 @@ static ktg_status simplify(ktg_context *context, const ktg_pipeline_options *opt
     ktg_progress(context, "simplify", 0, NULL);
     KTG_TRY(ktg_hand_check_simplify(context, options, mesh));
     KTG_TRY(ktg_mesh_simplify(context, mesh, options->faces, &report->simplify));
-    ktg_log(context, KTG_LOG_NOTE, "simplified from %u to %u faces", report->simplify.faces_before,
-            report->simplify.faces_after);
+    if (report->simplify.faces_after < report->simplify.faces_before)
+        ktg_log(context, KTG_LOG_NOTE, "simplified from %u to %u faces",
+                report->simplify.faces_before, report->simplify.faces_after);
     if (!report->simplify.target_reached)
         ktg_log(context, KTG_LOG_WARNING,
                 "fewer than %u faces would change the model's topology or fold it%s",
                 report->simplify.faces_after,
                 mesh->marked_count > 0 ? ", or an edge that is to be kept or cut" : "");
     return KTG_OK;
+}
+
+/* Fewer pieces than somebody asked for are not passed over in silence. */
+static void tell_pieces(ktg_context *context, const ktg_unfold_options *options,
+                        const ktg_unfold_report *report) {
+    uint64_t wanted = (uint64_t)options->pieces * report->parts;
+    bool stopped =
+        report->stopped_by == KTG_STOPPED_TIME || report->stopped_by == KTG_STOPPED_INTERRUPT;
+    if (report->pieces < wanted && !stopped)
+        ktg_log(context, KTG_LOG_WARNING,
+                "%u pieces instead of %llu: there are no more faces, or edges that may be cut",
+                report->pieces, (unsigned long long)wanted);
 }
 
 static ktg_status repair(ktg_context *context, const ktg_pipeline_options *options, ktg_mesh *mesh,
@@ -91,6 +104,7 @@ static ktg_status make_pieces(ktg_context *context, const ktg_pipeline_options *
         if (unfold.oversize == KTG_OVERSIZE_ERROR)
             unfold.mm_per_unit = 0; /* as large as can be, to say how large that is */
         KTG_TRY(ktg_unfold(context, mesh, title, &unfold, pattern, &report->unfold));
+        tell_pieces(context, &unfold, &report->unfold);
     } else {
         ktg_progress(context, "flatten", 0, NULL);
         KTG_TRY(ktg_flatten(context, mesh, title, &options->flatten, pattern, &report->flatten));
@@ -106,6 +120,15 @@ static ktg_status make_pieces(ktg_context *context, const ktg_pipeline_options *
     return ktg_pattern_set_omitted(context, p, options->omit, options->omit_count);
 }
 
+/* In what the search's time limit left, or a little. */
+static ktg_status lay_out(ktg_context *context, const ktg_pipeline_options *options,
+                          ktg_pattern *pattern, ktg_pipeline_report *report) {
+    ktg_layout_options layout = options->layout;
+    if (options->unfold.seconds > 0)
+        layout.seconds = fmax(0.1, options->unfold.seconds - report->seconds_unfold);
+    return ktg_layout_place(context, pattern, &layout, &report->layout);
+}
+
 static ktg_status put_on_sheets(ktg_context *context, const ktg_pipeline_options *options,
                                 ktg_pattern *pattern, ktg_pipeline_report *report) {
     double mm_per_unit = 0;
@@ -114,7 +137,7 @@ static ktg_status put_on_sheets(ktg_context *context, const ktg_pipeline_options
     KTG_TRY(ktg_check_cancel(context));
     KTG_TRY(ktg_pattern_scale(context, pattern, mm_per_unit));
     KTG_TRY(ktg_pattern_finish(context, pattern, &options->finish, &report->finish));
-    KTG_TRY(ktg_layout_place(context, pattern, &options->layout, &report->layout));
+    KTG_TRY(lay_out(context, options, pattern, report));
     report->faces = pattern->face_count;
     report->pieces = (uint32_t)pattern->piece_count;
     report->components = (uint32_t)pattern->component_count;

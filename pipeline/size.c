@@ -35,6 +35,10 @@ ktg_status ktg_size_check(ktg_context *context, const ktg_pipeline_options *opti
                         "margins of %g mm leave nothing of a sheet of %g x %g mm", sheet->margin_mm,
                         sheet->width_mm, sheet->height_mm);
     if (options->size_rule == KTG_SIZE_FIT) {
+        if (options->layout.roll)
+            return ktg_fail(context, KTG_ARGUMENT,
+                            "a roll has no size that a model could fill: say how large it is to "
+                            "become (--height 200mm)");
         if (options->mode == KTG_PAPER)
             return KTG_OK;
         return ktg_fail(

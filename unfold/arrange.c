@@ -17,7 +17,7 @@ static const struct round {
 } rounds[ROUNDS] = {{12, 1, 0.5}, {3, 4, 0.25}, {1, 12, 0.25}};
 
 /* A missing tab weighs as much as this part of the area. */
-#define PRICE_POINTS 0.03
+#define PRICE_POINTS 0.04
 
 /* How much what is hard to glue weighs against area. */
 #define EASE_POINTS 0.3

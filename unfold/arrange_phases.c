@@ -18,11 +18,11 @@ typedef struct phase {
 } phase;
 
 static const phase phases[] = {
-    {true, 4, 4, 0.15, 10, 0.25},   /* shapes for the sheet; overlaps are resolved after it */
-    {false, 4, 2, 0.63, 6, 0.15},   /* room for tabs */
-    {false, 8, 0.63, 0.2, 6, 0.1},  /* the same, what stands out moves in */
-    {false, 16, 1.6, 0.4, 6, 0.2},  /* again at the scale that was reached */
-    {false, 64, 1.0, 0.1, 5, 0.3}}; /* what stands out moves in, what lacks a tab gets one */
+    {true, 4, 4, 0.15, 10, 0.25},     /* shapes for the sheet; overlaps are resolved after it */
+    {false, 4, 2, 0.63, 6, 0.15},     /* room for tabs */
+    {false, 8, 0.63, 0.2, 6, 0.1},    /* the same, what stands out moves in */
+    {false, 16, 1.6, 0.4, 7, 0.2},    /* again at the scale that was reached */
+    {false, 64, 1.2, 0.1, 6.5, 0.3}}; /* what stands out moves in, what lacks a tab gets one */
 #define PHASES (sizeof phases / sizeof *phases)
 
 /* From this phase on each begins with the scale that was reached, less a little: */

@@ -21,11 +21,6 @@ typedef enum ktg_unfold_method {
     KTG_METHOD_GENETIC /* the method of the paper, with fresh starts */
 } ktg_unfold_method;
 
-/* How much work is spent on making a piece compact, so that it fits a sheet at a larger scale, and
- * on cuts whose tabs have room (auto only): counted, so that results do not depend on the machine;
- * at 500 faces about 0.1, 0.6 and 10 seconds in all. */
-typedef enum ktg_effort { KTG_EFFORT_QUICK, KTG_EFFORT_NORMAL, KTG_EFFORT_BEST } ktg_effort;
-
 /* What is done when one piece does not fit the sheet at the scale that is asked for. */
 typedef enum ktg_oversize {
     KTG_OVERSIZE_SPLIT, /* the fewest pieces such that each fits with its tabs */
@@ -43,9 +38,11 @@ typedef struct ktg_edge_rule {
 
 /* Section 5 of the paper, where nothing else is said. ktg_unfold_defaults gives its values. */
 typedef struct ktg_unfold_options {
-    ktg_unfold_method method;  /* auto */
-    ktg_effort effort;         /* normal */
-    ktg_sheet_format sheet;    /* what a piece should fill; A4 */
+    ktg_unfold_method method; /* auto */
+    ktg_effort effort;      /* normal: work spent on making a piece compact, so that it fits a sheet
+                               at a larger scale, and on cuts whose tabs have room (auto only); at
+                               500 faces about 0.1, 0.6 and 10 seconds in all */
+    ktg_sheet_format sheet; /* what a piece should fill; A4 */
     ktg_finish_options finish; /* the tabs it should have room for; those of ktg_finish_defaults */
     double ease; /* 0..10: how much it counts that a net is easy to glue, against size and tabs: the
                     two copies of a cut edge lie near each other, seams are few and long, nothing

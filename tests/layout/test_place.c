@@ -3,6 +3,7 @@
 #include "core/random.h"
 #include "core/vec.h"
 #include "layout/layout.h"
+#include "layout/nest.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -12,7 +13,8 @@
 
 #include <cmocka.h>
 
-#define SLACK_MM 1.0001e-7
+#define SLACK_MM     1.0001e-7
+#define MOST_CORNERS 16
 
 static int make_context(void **state) {
     return ktg_context_new((ktg_context **)state);
@@ -75,25 +77,66 @@ typedef struct box {
     double x0, y0, x1, y1;
 } box;
 
-static box placed_box(const ktg_pattern *pattern, const ktg_pattern_placement *placement) {
+/* The outline as it lies; `points` has room for it. */
+static void place_outline(const ktg_pattern *pattern, const ktg_pattern_placement *placement,
+                          ktg_vec2 *points) {
     const ktg_pattern_piece *piece = &pattern->pieces[placement->piece];
     ktg_motion2 motion = {
         cos(placement->rotation), sin(placement->rotation), {placement->x, placement->y}};
+    for (size_t i = 0; i < piece->outline_count; i++)
+        points[i] = ktg_move2(motion, piece->outline[i]);
+}
+
+static box placed_box(const ktg_pattern *pattern, const ktg_pattern_placement *placement) {
+    ktg_vec2 points[MOST_CORNERS];
     box around = {INFINITY, INFINITY, -INFINITY, -INFINITY};
-    for (size_t i = 0; i < piece->outline_count; i++) {
-        ktg_vec2 p = ktg_move2(motion, piece->outline[i]);
-        around = (box){fmin(around.x0, p.x), fmin(around.y0, p.y), fmax(around.x1, p.x),
-                       fmax(around.y1, p.y)};
-    }
+    place_outline(pattern, placement, points);
+    for (size_t i = 0; i < pattern->pieces[placement->piece].outline_count; i++)
+        around = (box){fmin(around.x0, points[i].x), fmin(around.y0, points[i].y),
+                       fmax(around.x1, points[i].x), fmax(around.y1, points[i].y)};
     return around;
 }
 
-static void assert_apart(box a, box b, double gap) {
-    double apart = fmax(fmax(b.x0 - a.x1, a.x0 - b.x1), fmax(b.y0 - a.y1, a.y0 - b.y1));
-    assert_true(apart >= gap - 1e-9);
+static double point_to_side(ktg_vec2 p, ktg_vec2 a, ktg_vec2 b) {
+    ktg_vec2 d = ktg_sub2(b, a);
+    double t = ktg_dot2(ktg_sub2(p, a), d) / ktg_dot2(d, d);
+    return ktg_length2(ktg_sub2(p, ktg_madd2(a, fmin(1, fmax(0, t)), d)));
 }
 
-/* Each piece on one sheet, inside its printable area, boxes `gap` apart. */
+static bool is_inside(ktg_vec2 p, const ktg_vec2 *polygon, size_t count) {
+    bool inside = false;
+    for (size_t i = 0; i < count; i++) {
+        ktg_vec2 a = polygon[i], b = polygon[(i + 1) % count];
+        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
+            inside = !inside;
+    }
+    return inside;
+}
+
+/* No corner of one inside the other or nearer than the gap. (With a gap, crossing sides have a
+ * corner near or inside unless the shapes are larger than these tests have.) */
+static void assert_corners_apart(const ktg_vec2 *a, size_t a_count, const ktg_vec2 *b,
+                                 size_t b_count, double gap) {
+    for (size_t i = 0; i < a_count; i++) {
+        assert_false(is_inside(a[i], b, b_count));
+        for (size_t k = 0; k < b_count; k++)
+            assert_true(point_to_side(a[i], b[k], b[(k + 1) % b_count]) >= gap - 1e-6);
+    }
+}
+
+static void assert_apart(const ktg_pattern *pattern, const ktg_pattern_placement *a,
+                         const ktg_pattern_placement *b, double gap) {
+    ktg_vec2 p[MOST_CORNERS], q[MOST_CORNERS];
+    size_t p_count = pattern->pieces[a->piece].outline_count;
+    size_t q_count = pattern->pieces[b->piece].outline_count;
+    place_outline(pattern, a, p);
+    place_outline(pattern, b, q);
+    assert_true(ktg_nest_apart(p, p_count, q, q_count, gap - 1e-6));
+    assert_corners_apart(p, p_count, q, q_count, gap);
+    assert_corners_apart(q, q_count, p, p_count, gap);
+}
+
+/* Each piece on one sheet, inside its printable area, `gap` apart. */
 static void assert_well_laid(const ktg_pattern *pattern, double gap) {
     size_t *seen = calloc(pattern->piece_count, sizeof *seen);
     for (size_t s = 0; s < pattern->sheet_count; s++) {
@@ -107,12 +150,20 @@ static void assert_well_laid(const ktg_pattern *pattern, double gap) {
             assert_true(a.x1 <= sheet->printable[2] + SLACK_MM);
             assert_true(a.y1 <= sheet->printable[3] + SLACK_MM);
             for (size_t k = 0; k < i; k++)
-                assert_apart(a, placed_box(pattern, &sheet->placements[k]), gap);
+                assert_apart(pattern, &sheet->placements[i], &sheet->placements[k], gap);
         }
     }
     for (size_t p = 0; p < pattern->piece_count; p++)
         assert_int_equal(seen[p], 1);
     free(seen);
+}
+
+/* Quick: the tests are run often. */
+static ktg_layout_options quick_options(void) {
+    ktg_layout_options options;
+    ktg_layout_defaults(&options);
+    options.effort = KTG_EFFORT_QUICK;
+    return options;
 }
 
 static void one_piece_lies_in_the_middle_with_the_most_room(void **state) {
@@ -150,7 +201,7 @@ static void a_long_piece_lies_across_the_diagonal(void **state) {
         for (size_t i = 0; i < count; i++)
             make_rectangle(context, pattern, i, (ktg_vec2){320, 4}, 0, 2.1 * (double)i);
         assert_int_equal(ktg_layout_place(context, pattern, NULL, NULL), KTG_OK);
-        assert_int_equal(pattern->sheet_count, count);
+        assert_int_equal(pattern->sheet_count, 1);
         assert_well_laid(pattern, 2);
         ktg_pattern_free(&pattern);
     }
@@ -158,10 +209,9 @@ static void a_long_piece_lies_across_the_diagonal(void **state) {
 
 static void many_pieces_lie_apart_on_few_sheets(void **state) {
     ktg_context *context = *state;
-    ktg_layout_options options;
-    ktg_layout_defaults(&options);
+    ktg_layout_options options = quick_options();
     options.gap_mm = 3;
-    for (uint64_t seed = 1; seed <= 20; seed++) {
+    for (uint64_t seed = 1; seed <= 6; seed++) {
         ktg_random random;
         ktg_random_seed(&random, seed);
         size_t count = 2 + ktg_random_below(&random, 80);
@@ -177,19 +227,20 @@ static void many_pieces_lie_apart_on_few_sheets(void **state) {
         assert_well_laid(pattern, 3);
         assert_int_equal(report.sheets, pattern->sheet_count);
         assert_float_equal(report.fill, area / (190.0 * 277.0 * report.sheets), 1e-9);
-        assert_true(report.sheets <= 1 + area / (190.0 * 277.0) / 0.5);
+        assert_true(report.sheets <= 1 + area / (190.0 * 277.0) / 0.7);
         ktg_pattern_free(&pattern);
     }
 }
 
-static void rows_take_the_direction_that_needs_fewer_sheets(void **state) {
+static void what_fits_in_rows_fits(void **state) {
     ktg_context *context = *state;
+    ktg_layout_options options = quick_options();
     /* 18 strips of 185 x 13 mm share a sheet when they lie across it: upright only 12 of them
      * stand side by side. */
     ktg_pattern *pattern = make_pattern(context, 18);
     for (size_t i = 0; i < 18; i++)
         make_rectangle(context, pattern, i, (ktg_vec2){185, 13}, 0, 0.3 * (double)i);
-    assert_int_equal(ktg_layout_place(context, pattern, NULL, NULL), KTG_OK);
+    assert_int_equal(ktg_layout_place(context, pattern, &options, NULL), KTG_OK);
     assert_int_equal(pattern->sheet_count, 1);
     assert_well_laid(pattern, 2);
     ktg_pattern_free(&pattern);
@@ -197,16 +248,128 @@ static void rows_take_the_direction_that_needs_fewer_sheets(void **state) {
     pattern = make_pattern(context, 12);
     for (size_t i = 0; i < 12; i++)
         make_rectangle(context, pattern, i, (ktg_vec2){270, 13}, 0, 0.3 * (double)i);
-    assert_int_equal(ktg_layout_place(context, pattern, NULL, NULL), KTG_OK);
+    assert_int_equal(ktg_layout_place(context, pattern, &options, NULL), KTG_OK);
     assert_int_equal(pattern->sheet_count, 1);
     assert_well_laid(pattern, 2);
     ktg_pattern_free(&pattern);
 }
 
+/* A frame open on one side: arms of 30 mm around a bay of 100 x 90 mm. */
+static void make_bracket(ktg_context *context, ktg_pattern *pattern, size_t index) {
+    static const ktg_vec2 corners[] = {{0, 0},    {160, 0}, {160, 120}, {130, 120},
+                                       {130, 30}, {30, 30}, {30, 120},  {0, 120}};
+    make_rectangle(context, pattern, index, (ktg_vec2){160, 30}, 0, 0);
+    ktg_pattern_piece *piece = &pattern->pieces[index];
+    ktg_free(piece->outline);
+    piece->outline = ktg_copy_array(context, corners, 8, sizeof *corners);
+    piece->outline_count = 8;
+}
+
+/* By their boxes the two brackets fill a sheet, and the blocks need one more. */
+static ktg_pattern *brackets_and_blocks(ktg_context *context) {
+    ktg_pattern *pattern = make_pattern(context, 4);
+    for (size_t i = 0; i < 4; i++)
+        if (i < 2)
+            make_bracket(context, pattern, i);
+        else
+            make_rectangle(context, pattern, i, (ktg_vec2){94, 84}, 0, 0.5);
+    return pattern;
+}
+
+static void pieces_lie_in_each_others_bays(void **state) {
+    ktg_context *context = *state;
+    ktg_layout_options options = quick_options();
+    ktg_pattern *pattern = brackets_and_blocks(context);
+    ktg_layout_report report;
+    assert_int_equal(ktg_layout_place(context, pattern, &options, &report), KTG_OK);
+    assert_int_equal(pattern->sheet_count, 1);
+    assert_true(report.records > 0);
+    assert_well_laid(pattern, 2);
+    ktg_pattern_free(&pattern);
+}
+
+static ktg_pattern *some_rectangles(ktg_context *context, size_t count) {
+    ktg_pattern *pattern = make_pattern(context, count);
+    for (size_t i = 0; i < count; i++)
+        make_rectangle(context, pattern, i,
+                       (ktg_vec2){40 + 7 * (double)(i % 5), 30 + 11 * (double)(i % 3)}, 0,
+                       (double)i);
+    return pattern;
+}
+
+static void the_same_seed_gives_the_same_sheets(void **state) {
+    ktg_context *context = *state;
+    ktg_layout_options options = quick_options();
+    ktg_pattern *patterns[3];
+    for (uint64_t k = 0; k < 3; k++) {
+        ktg_context_set_seed(context, k == 2 ? 2 : 1);
+        patterns[k] = brackets_and_blocks(context);
+        assert_int_equal(ktg_layout_place(context, patterns[k], &options, NULL), KTG_OK);
+    }
+    const ktg_pattern_sheet *a = patterns[0]->sheets, *b = patterns[1]->sheets;
+    const ktg_pattern_sheet *c = patterns[2]->sheets;
+    assert_int_equal(a->placement_count, b->placement_count);
+    assert_memory_equal(a->placements, b->placements, a->placement_count * sizeof *a->placements);
+    assert_true(a->placement_count != c->placement_count ||
+                memcmp(a->placements, c->placements, a->placement_count * sizeof *a->placements));
+    for (int k = 0; k < 3; k++)
+        ktg_pattern_free(&patterns[k]);
+}
+
+static void a_roll_is_cut_where_the_pieces_end(void **state) {
+    ktg_context *context = *state;
+    ktg_layout_options options = quick_options();
+    options.roll = true;
+    options.sheet = (ktg_sheet_format){"", 300, 5000, 10};
+    for (size_t count = 1; count <= 12; count += 11) {
+        ktg_pattern *pattern = some_rectangles(context, count);
+        ktg_layout_report report;
+        assert_int_equal(ktg_layout_place(context, pattern, &options, &report), KTG_OK);
+        assert_well_laid(pattern, 2);
+        assert_int_equal(pattern->sheet_count, 1);
+        const ktg_pattern_sheet *sheet = pattern->sheets;
+        assert_int_equal(sheet->kind, KTG_ROLL);
+        assert_true(sheet->width_mm == 300 && sheet->height_mm < 300);
+        assert_float_equal(sheet->height_mm, sheet->printable[3] + 10, 1e-9);
+        double lowest = INFINITY;
+        for (size_t i = 0; i < count; i++)
+            lowest = fmin(lowest, placed_box(pattern, &sheet->placements[i]).y0);
+        assert_float_equal(lowest, 10, 1e-6);
+        assert_float_equal(report.last_mm, sheet->height_mm - 20, 1e-6);
+        ktg_pattern_free(&pattern);
+    }
+}
+
+static ktg_wish wish_of(void *user) {
+    int *calls = user;
+    return --*calls > 0 ? KTG_GO_ON : KTG_FINISH;
+}
+
+static ktg_wish stop_after(void *user) {
+    int *calls = user;
+    return --*calls > 0 ? KTG_GO_ON : KTG_STOP;
+}
+
+static void an_interrupt_keeps_what_there_is(void **state) {
+    ktg_context *context = *state;
+    for (int calls = 1; calls < 3000; calls *= 7) {
+        int left = calls;
+        ktg_pattern *pattern = some_rectangles(context, 12);
+        ktg_context_set_cancel(context, wish_of, &left);
+        assert_int_equal(ktg_layout_place(context, pattern, NULL, NULL), KTG_OK);
+        assert_well_laid(pattern, 2);
+        left = calls;
+        ktg_context_set_cancel(context, stop_after, &left);
+        assert_int_equal(ktg_layout_place(context, pattern, NULL, NULL), KTG_CANCELLED);
+        assert_well_laid(pattern, 2);
+        ktg_pattern_free(&pattern);
+    }
+    ktg_context_set_cancel(context, NULL, NULL);
+}
+
 static void the_grain_is_kept(void **state) {
     ktg_context *context = *state;
-    ktg_layout_options options;
-    ktg_layout_defaults(&options);
+    ktg_layout_options options = quick_options();
     options.keep_grain = true;
     for (size_t count = 1; count <= 7; count += 6) {
         ktg_pattern *pattern = make_pattern(context, count);
@@ -286,20 +449,21 @@ static void senseless_wishes_are_refused(void **state) {
 
 static void short_memory_is_survived(void **state) {
     ktg_context *context = *state;
+    ktg_layout_options options = quick_options();
     ktg_pattern *pattern = make_pattern(context, 5);
     for (size_t i = 0; i < 5; i++)
         make_rectangle(context, pattern, i, (ktg_vec2){150, 100}, 0, (double)i);
     ktg_status status = KTG_MEMORY;
     for (uint64_t nth = 1; status != KTG_OK && nth < 1000; nth++) {
         ktg_context_fail_allocation(context, nth);
-        status = ktg_layout_place(context, pattern, NULL, NULL);
+        status = ktg_layout_place(context, pattern, &options, NULL);
         assert_true(status == KTG_OK || status == KTG_MEMORY);
         assert_true(status == KTG_OK || pattern->sheet_count == 0);
     }
     ktg_context_fail_allocation(context, 0);
     assert_int_equal(status, KTG_OK);
     assert_well_laid(pattern, 2);
-    assert_int_equal(ktg_layout_place(context, pattern, NULL, NULL), KTG_OK);
+    assert_int_equal(ktg_layout_place(context, pattern, &options, NULL), KTG_OK);
     assert_well_laid(pattern, 2);
     ktg_pattern_free(&pattern);
 }
@@ -313,8 +477,14 @@ int main(void) {
                                         drop_context),
         cmocka_unit_test_setup_teardown(many_pieces_lie_apart_on_few_sheets, make_context,
                                         drop_context),
-        cmocka_unit_test_setup_teardown(rows_take_the_direction_that_needs_fewer_sheets,
-                                        make_context, drop_context),
+        cmocka_unit_test_setup_teardown(what_fits_in_rows_fits, make_context, drop_context),
+        cmocka_unit_test_setup_teardown(pieces_lie_in_each_others_bays, make_context, drop_context),
+        cmocka_unit_test_setup_teardown(the_same_seed_gives_the_same_sheets, make_context,
+                                        drop_context),
+        cmocka_unit_test_setup_teardown(a_roll_is_cut_where_the_pieces_end, make_context,
+                                        drop_context),
+        cmocka_unit_test_setup_teardown(an_interrupt_keeps_what_there_is, make_context,
+                                        drop_context),
         cmocka_unit_test_setup_teardown(the_grain_is_kept, make_context, drop_context),
         cmocka_unit_test_setup_teardown(a_piece_too_large_is_told_what_would_fit, make_context,
                                         drop_context),

@@ -18,6 +18,7 @@ int bench_setup(void **state) {
     *state = b;
     strcpy(b->folder, "/tmp/ktg-pipeline-XXXXXX");
     ktg_pipeline_defaults(&b->options);
+    b->options.layout.effort = KTG_EFFORT_QUICK; /* tests are run often */
     b->options.outputs = b->outputs;
     return ktg_context_new(&b->context) != KTG_OK || !mkdtemp(b->folder);
 }
