@@ -51,6 +51,10 @@ static void tell_strain(const ktg_flatten_report *f) {
                 "as rigid as possible, %u face%s would fold over: flattened without folds "
                 "(injective)\n",
                 f->flipped_by_arap, plural(f->flipped_by_arap));
+    if (f->crossed_by_arap)
+        fputs("as rigid as possible, the panel would lie on itself: flattened otherwise "
+              "(injective)\n",
+              stderr);
     fprintf(stderr, "strain: mean %.2f %%, 95 %% of the area below %.2f %%, largest %.2f %%\n",
             100 * f->strain_mean, 100 * f->strain_p95, 100 * f->strain_max);
     fprintf(stderr, "%.1f %% of the area is strained more than %.4g %%; the border is %.2f %% %s\n",
@@ -62,7 +66,7 @@ static void tell_strain(const ktg_flatten_report *f) {
 static void tell_result(void *user, const ktg_pipeline_report *r) {
     const settings *s = user;
     cli_end_progress();
-    if (r->unfold.stopped_by == KTG_STOPPED_INTERRUPT)
+    if (r->unfold.stopped_by == KTG_STOPPED_INTERRUPT || r->flatten.interrupted)
         fputs("interrupted: this is the best pattern so far\n", stderr);
     if (r->unfold.stopped_by == KTG_STOPPED_TIME)
         fputs("the time is over: this is the best pattern so far\n", stderr);

@@ -2,10 +2,10 @@
  *
  * As rigid as possible: every face is to be mapped by a rotation, and what is left of that wish is
  * least for the whole panel (Liu et al., "A Local/Global Approach to Mesh Parameterization", 2008).
- * Where that folds faces over, a symmetric Dirichlet energy that forbids folds takes its place
- * (Smith & Schaefer 2015). And the method of Igarashi & Igarashi, "Implementing
- * As-Rigid-As-Possible Shape Manipulation and Surface Flattening" (JGT 2009), section 7: two linear
- * solves. docs/flatten.md says what was chosen and measured. */
+ * Where that folds faces over, or the panel onto itself, a symmetric Dirichlet energy that forbids
+ * folds takes its place (Smith & Schaefer 2015). And the method of Igarashi & Igarashi,
+ * "Implementing As-Rigid-As-Possible Shape Manipulation and Surface Flattening" (JGT 2009), section
+ * 7: two linear solves. docs/flatten.md says what was chosen and measured. */
 #ifndef KTG_FLATTEN_FLATTEN_H
 #define KTG_FLATTEN_FLATTEN_H
 
@@ -18,7 +18,7 @@ extern "C" {
 #endif
 
 typedef enum ktg_flatten_method {
-    KTG_FLATTEN_ARAP,      /* local/global iteration; injective where that folds faces over */
+    KTG_FLATTEN_ARAP,      /* local/global iteration; injective where that folds or overlaps */
     KTG_FLATTEN_INJECTIVE, /* symmetric Dirichlet energy: never a fold, more strain */
     KTG_FLATTEN_TWO_STEP   /* Igarashi & Igarashi 2009 */
 } ktg_flatten_method;
@@ -37,10 +37,11 @@ KTG_API void ktg_flatten_defaults(ktg_flatten_options *options);
 /* Strain is the larger of |s1 - 1| and |s2 - 1|, s the singular values of the map from the 3D
  * triangle; mean and percentile are weighted by area. */
 typedef struct ktg_flatten_report {
-    ktg_flatten_method
-        method;               /* that made it: injective also where arap was asked for and folded */
-    uint32_t iterations;      /* of that method; two-step: 0 */
-    uint32_t flipped_by_arap; /* faces that arap folded before injective took its place */
+    ktg_flatten_method method; /* that made it: injective also where arap failed */
+    uint32_t iterations;       /* of that method; two-step: 0 */
+    bool interrupted;          /* the caller wanted to finish, so that iterations ended early */
+    uint32_t flipped_by_arap;  /* faces that arap folded before injective took its place */
+    bool crossed_by_arap;      /* the same: arap folded none, but laid the panel on itself */
     uint32_t faces;
     uint32_t flipped_faces;     /* turned over, or less than a millionth of their area left */
     double arap_energy;         /* sum A ((s1 - 1)^2 + (s2 - 1)^2) / sum A, s2 signed */

@@ -113,7 +113,7 @@ KTG_NODISCARD ktg_status ktg_scale_step(ktg_context *context, const ktg_edges *e
 /* ---- method.c ----------------------------------------------------------------------------- */
 
 /* Lays the panel flat (upright) by the method that is asked for, or by one that does not fold it
- * where the default does. Fills method, iterations and flipped_by_arap. */
+ * where the default does. Fills in the report how that was done. */
 KTG_NODISCARD ktg_status ktg_lay_flat(ktg_context *context, const ktg_panel *panel,
                                       const ktg_flatten_options *options, ktg_vec2 *flat,
                                       ktg_flatten_report *report);
@@ -146,6 +146,11 @@ uint32_t ktg_panel_count_flipped(const ktg_panel *panel, const ktg_vec2 *flat);
 uint32_t ktg_panel_count_turned_over(const ktg_panel *panel, const ktg_vec2 *flat);
 
 /* ---- overlap.c ---------------------------------------------------------------------------- */
+
+/* Does the border of the flat panel cross itself, and near which two vertices? */
+KTG_NODISCARD ktg_status ktg_panel_find_crossing(ktg_context *context, const ktg_panel *panel,
+                                                 const ktg_vec2 *flat, bool *crossed,
+                                                 uint32_t vertices[2]);
 
 /* KTG_GEOMETRY when the border of the flat panel, of which no face is flipped, crosses itself. */
 KTG_NODISCARD ktg_status ktg_panel_check_overlap(ktg_context *context, const ktg_panel *panel,

@@ -87,6 +87,16 @@ static ktg_status lay_flat_injective(ktg_context *context, const ktg_panel *pane
     return KTG_OK;
 }
 
+/* What is wrong with the map that is as rigid as possible. */
+static ktg_status judge_arap(ktg_context *context, const ktg_panel *panel, const ktg_vec2 *flat,
+                             ktg_flatten_report *report) {
+    uint32_t vertices[2];
+    report->flipped_by_arap = ktg_panel_count_flipped(panel, flat);
+    if (report->flipped_by_arap > 0)
+        return KTG_OK;
+    return ktg_panel_find_crossing(context, panel, flat, &report->crossed_by_arap, vertices);
+}
+
 static ktg_status iterate(ktg_context *context, const ktg_panel *panel,
                           const ktg_flatten_options *options, start *s, ktg_vec2 *flat,
                           ktg_flatten_report *report) {
@@ -94,9 +104,10 @@ static ktg_status iterate(ktg_context *context, const ktg_panel *panel,
     if (options->method == KTG_FLATTEN_INJECTIVE)
         return lay_flat_injective(context, panel, s, flat, report);
     KTG_TRY(lay_flat_arap(context, panel, s, flat, report));
-    report->flipped_by_arap = ktg_panel_count_flipped(panel, flat);
-    return report->flipped_by_arap == 0 ? KTG_OK
-                                        : lay_flat_injective(context, panel, s, flat, report);
+    KTG_TRY(judge_arap(context, panel, flat, report));
+    if (report->flipped_by_arap == 0 && !report->crossed_by_arap)
+        return KTG_OK;
+    return lay_flat_injective(context, panel, s, flat, report);
 }
 
 /* ---- any ---------------------------------------------------------------------------------- */
@@ -112,6 +123,7 @@ static ktg_status lay_flat(ktg_context *context, const ktg_panel *panel,
     start s = {0};
     ktg_status status = iterate(context, panel, options, &s, flat, report);
     free_start(&s);
+    report->interrupted = ktg_wants_finish(context);
     return status;
 }
 

@@ -49,6 +49,7 @@ static ktg_status put_cloth(ktg_context *context, ktg_output *output,
     const ktg_flatten_report *f = &r->flatten;
     const figure figures[] = {{"iterations", f->iterations},
                               {"flipped_by_arap", f->flipped_by_arap},
+                              {"crossed_by_arap", f->crossed_by_arap},
                               {"flipped_faces", f->flipped_faces},
                               {"arap_energy", f->arap_energy},
                               {"symmetric_dirichlet", f->symmetric_dirichlet},
@@ -89,6 +90,7 @@ ktg_status ktg_pipeline_write_report(ktg_context *context, const ktg_pipeline_op
     KTG_TRY(put_seed(context, output));
     KTG_TRY(put_figures(context, output, figures, sizeof figures / sizeof *figures));
     KTG_TRY(paper ? put_paper(context, output, r) : put_cloth(context, output, r));
-    KTG_TRY(put_text(context, output, "stopped_by", ktg_stopped_by_name(r->unfold.stopped_by)));
+    ktg_stopped_by stopped = r->flatten.interrupted ? KTG_STOPPED_INTERRUPT : r->unfold.stopped_by;
+    KTG_TRY(put_text(context, output, "stopped_by", ktg_stopped_by_name(stopped)));
     return ktg_output_print(context, output, "\n}\n");
 }

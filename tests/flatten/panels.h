@@ -97,6 +97,12 @@ static inline ktg_vec3 saddle(double u, double v) {
     return (ktg_vec3){x, y, x * x - y * y};
 }
 
+/* So steep that it is laid on itself when every face is as rigid as possible. */
+static inline ktg_vec3 monkey_saddle(double u, double v) {
+    double x = 2 * u - 1, y = 2 * v - 1;
+    return (ktg_vec3){x, y, 3 * (x * x * x - 3 * x * y * y)};
+}
+
 static inline ktg_vec3 ripples(double u, double v) {
     return (ktg_vec3){3 * u, 2 * v, 0.15 * sin(9 * u) * sin(7 * v)};
 }

@@ -91,6 +91,7 @@ static void arap_strains_least_and_injective_has_the_least_dirichlet_energy(void
         assert_true(arap.arap_energy <= two_step.arap_energy);
         assert_true(injective.symmetric_dirichlet <= arap.symmetric_dirichlet);
         assert_true(injective.symmetric_dirichlet >= 4);
+        assert_false(arap.interrupted || injective.interrupted || two_step.interrupted);
         assert_int_equal(arap.method, KTG_FLATTEN_ARAP);
         assert_int_equal(injective.method, KTG_FLATTEN_INJECTIVE);
         assert_int_equal(two_step.method, KTG_FLATTEN_TWO_STEP);
@@ -155,6 +156,19 @@ static void where_arap_folds_injective_takes_over(void **state) {
         assert_true(arap.iterations == injective.iterations);
         ktg_mesh_free(&mesh);
     }
+}
+
+static void where_arap_crosses_injective_takes_over(void **state) {
+    ktg_mesh *mesh = grid_panel(*state, monkey_saddle, 60);
+    ktg_flatten_report report;
+    assert_int_equal(flatten_by(*state, mesh, KTG_FLATTEN_ARAP, &report), KTG_OK);
+    assert_int_equal(report.method, KTG_FLATTEN_INJECTIVE);
+    assert_true(report.flipped_by_arap == 0 && report.crossed_by_arap);
+    ktg_mesh_free(&mesh);
+    mesh = grid_panel(*state, ramp, 40);
+    assert_int_equal(flatten_by(*state, mesh, KTG_FLATTEN_ARAP, &report), KTG_GEOMETRY);
+    assert_true(report.crossed_by_arap && report.method == KTG_FLATTEN_INJECTIVE);
+    ktg_mesh_free(&mesh);
 }
 
 static void long_tubes_come_out_without_a_fold(void **state) {
@@ -296,6 +310,7 @@ static void iterations_end_when_the_caller_wants_to_finish(void **state) {
     ktg_context_set_cancel(*state, finish, NULL);
     assert_int_equal(flatten_by(*state, mesh, KTG_FLATTEN_INJECTIVE, &report), KTG_OK);
     assert_int_equal(report.iterations, 0);
+    assert_true(report.interrupted);
     ktg_context_set_cancel(*state, NULL, NULL);
     ktg_mesh_free(&mesh);
 }
@@ -328,6 +343,7 @@ int main(void) {
         TEST(every_method_lays_developable_surfaces_flat),
         TEST(the_area_beyond_a_limit_is_told),
         TEST(where_arap_folds_injective_takes_over),
+        TEST(where_arap_crosses_injective_takes_over),
         TEST(long_tubes_come_out_without_a_fold),
         TEST(crumpled_sheets_are_laid_flat_or_refused),
         TEST(odd_panels_are_laid_flat_or_refused),
