@@ -158,7 +158,8 @@ ktg_status ktg_conformal_start(ktg_context *context, const ktg_panel *panel, con
 
 /* ---- convex ------------------------------------------------------------------------------- */
 
-/* Around a circle with the panel's area. */
+/* Around a circle with the panel's area, half by length and half by number, so that short edges
+ * keep a place of their own. */
 static void lay_circle(const ktg_panel *panel, const ktg_rest *rests, const border *b,
                        ktg_vec2 *flat) {
     double area = 0, length = 0, angle = 0;
@@ -169,7 +170,7 @@ static void lay_circle(const ktg_panel *panel, const ktg_rest *rests, const bord
     double radius = sqrt(area / KTG_PI);
     for (uint32_t i = 0; i < b->count; i++) {
         flat[b->vertices[i]] = (ktg_vec2){radius * cos(angle), radius * sin(angle)};
-        angle += 2 * KTG_PI * b->lengths[i] / length;
+        angle += KTG_PI * (b->lengths[i] / length + 1.0 / b->count);
     }
 }
 

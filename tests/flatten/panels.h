@@ -119,6 +119,11 @@ static inline ktg_vec3 spikes(double u, double v) {
     return (ktg_vec3){x + 0.2 * z * z, y, z};
 }
 
+/* Faces from 1e-10 to 1/10 of its size. */
+static inline ktg_vec3 uneven(double u, double v) {
+    return (ktg_vec3){pow(u, 6), pow(v, 6), 0.3 * sin(6 * u) * sin(5 * v)};
+}
+
 /* A tube of radius 1 and length 8, closed by a hemisphere. */
 static inline ktg_vec3 sock(double u, double v) {
     double x = 2 * u - 1, y = 2 * v - 1, far = fmax(fabs(x), fabs(y)), length = hypot(x, y);

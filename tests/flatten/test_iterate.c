@@ -274,7 +274,7 @@ static void the_conformal_start_of_a_cap_is_the_stereographic_map(void **state) 
 }
 
 static void the_convex_start_turns_nothing_over(void **state) {
-    surface *const surfaces[] = {almost_sphere, spikes, ramp, zigzag, sock};
+    surface *const surfaces[] = {almost_sphere, spikes, ramp, zigzag, sock, uneven};
     for (size_t k = 0; k < sizeof surfaces / sizeof *surfaces; k++) {
         bench_panel b = lay_out(*state, grid_panel(*state, surfaces[k], 24));
         assert_int_equal(ktg_convex_start(*state, b.panel, b.rests, b.flat), KTG_OK);

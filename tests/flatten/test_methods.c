@@ -144,7 +144,7 @@ static void the_area_beyond_a_limit_is_told(void **state) {
 /* ---- no folds ----------------------------------------------------------------------------- */
 
 static void where_arap_folds_injective_takes_over(void **state) {
-    surface *const surfaces[] = {almost_sphere, spikes};
+    surface *const surfaces[] = {almost_sphere, spikes, uneven};
     for (size_t k = 0; k < sizeof surfaces / sizeof *surfaces; k++) {
         ktg_mesh *mesh = grid_panel(*state, surfaces[k], 40);
         ktg_flatten_report arap, injective;
