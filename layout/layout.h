@@ -15,9 +15,10 @@ typedef struct ktg_layout_options {
                           cut off where it ends, height_mm at most; false */
     double gap_mm;     /* between pieces; 2 mm */
     bool keep_grain;   /* only turns of 0 and 180 degrees (cloth); false */
-    ktg_effort effort; /* normal: work spent on nesting several pieces; at most about 1, 5 and 30
+    ktg_effort effort; /* normal: work spent on nesting several pieces; at most about 1, 3 and 25
                           seconds, less for few pieces */
-    double seconds;    /* an upper bound on the nesting's time; 0: none */
+    uint32_t enough_sheets; /* nesting stops once so few are reached; 0: it goes on */
+    double seconds;         /* an upper bound on the nesting's time; 0: none */
 } ktg_layout_options;
 
 KTG_API void ktg_layout_defaults(ktg_layout_options *options);
@@ -33,7 +34,8 @@ typedef struct ktg_layout_report {
 /* Fills pattern->sheets (replacing what was there) so that every piece lies on exactly one sheet,
  * inside its printable area, at least the gap away from every other piece; proven for the outlines
  * with exact predicates. A single piece lies at the turn with the most room around it. Several are
- * nested by their shapes: on as few sheets as are found, and as far up on the last as can be.
+ * nested by their shapes: on as few sheets as are found, and as far up on the last as can be (more
+ * than 3000 stay in rows by their boxes).
  * Random choices follow the context's seed; a cancel callback that says KTG_FINISH keeps the best
  * so far. The pattern must be finished. KTG_GEOMETRY when a piece is larger than the sheet: the
  * message names the piece, its size, and the scale and finished height at which it would fit. */

@@ -16,6 +16,17 @@
 #define COMPRESS     0.0005  /* first step of the compression, */
 #define COMPRESS_END 0.00001 /* and the last */
 
+/* Strikes and patience of a separation after large steps, after small ones, and in compression. */
+#define LARGE_STRIKES    1
+#define LARGE_PATIENCE   20
+#define SMALL_STRIKES    3
+#define COMPRESS_STRIKES 1
+#define SMALL_PATIENCE   50
+
+#define LARGE             0.2 /* of the largest item's area */
+#define RANDOM_TRIES      64  /* to find a place for what has lost its own, or a large item */
+#define WORK_OF_SHRINKING 50  /* for each item */
+
 typedef struct search {
     nest_state state;
     nest_pose *best;   /* item_count: proven */
@@ -27,7 +38,8 @@ typedef struct search {
 /* ---- from places to poses and back -------------------------------------------------------- */
 
 static nest_pose pose_of(const nest_shape *shape, const ktg_nest_place *place) {
-    nest_turn turn = nest_turn_by(shape, place->turn);
+    nest_turn turn = ktg_nest_turn_by(shape, place->turn);
+    ktg_nest_turn_cover(shape, &turn);
     ktg_vec2 m = shape->middle;
     return (nest_pose){
         place->bin,
@@ -93,25 +105,34 @@ static void set_length(nest_state *state, double total) {
     state->last_length = total - (state->bin_count - 1) * length;
 }
 
+/* What the bin that is the last one now loses of its length. */
+static double loss_of_length(const search *s, double total) {
+    double length = s->state.problem->length, before = s->length;
+    if (!isinf(length))
+        before = fmin(length, before - (s->state.bin_count - 1) * length);
+    return isinf(length) ? before - total : before - s->state.last_length;
+}
+
 /* The best with a new length: what lies beyond a cut in the last bin moves left by what the bin
  * loses, and what has no bin any more goes anywhere. False when something fits nowhere. */
 static bool shrink(search *s, double total) {
     nest_state *state = &s->state;
-    nest_load(state, s->best);
-    double before = s->length;
+    ktg_nest_load(state, s->best);
     set_length(state, total);
+    double less = loss_of_length(s, total);
     double cut = ktg_random_unit(&state->random) * state->last_length;
+    state->work += WORK_OF_SHRINKING * state->item_count;
     for (uint32_t i = 0; i < state->item_count; i++) {
         nest_pose pose = state->bodies[i].pose;
         if (pose.bin + 1 == state->bin_count && pose.at.x > cut)
-            pose.at.x -= before - total;
-        if ((pose.bin >= state->bin_count || !nest_clamp(state, &pose)) &&
-            !nest_random_pose(state, state->bodies[i].shape, &pose))
+            pose.at.x -= less;
+        if ((pose.bin >= state->bin_count || !ktg_nest_clamp(state, &pose)) &&
+            !ktg_nest_random_pose(state, state->bodies[i].shape, RANDOM_TRIES, &pose))
             return false;
-        nest_put(state, i, &pose);
+        ktg_nest_put(state, i, &pose);
     }
-    nest_forget_weights(state);
-    nest_measure(state);
+    ktg_nest_forget_weights(state);
+    ktg_nest_measure(state);
     return true;
 }
 
@@ -119,7 +140,7 @@ static bool shrink(search *s, double total) {
 static bool take(search *s) {
     if (!is_proven(s))
         return false;
-    nest_save(&s->state, s->best);
+    ktg_nest_save(&s->state, s->best);
     s->length = total_length(&s->state, s->best);
     s->records++;
     return true;
@@ -127,29 +148,33 @@ static bool take(search *s) {
 
 /* ---- the two phases ----------------------------------------------------------------------- */
 
+/* A random item, not much smaller than the largest and of another shape than `other` (NULL: any),
+ * where a few tries find one. */
+static uint32_t large_item(nest_state *state, const nest_shape *other) {
+    double largest = 0;
+    uint32_t item = 0;
+    for (uint32_t i = 0; i < state->item_count; i++)
+        largest = fmax(largest, state->bodies[i].shape->area);
+    for (int k = 0; k < RANDOM_TRIES; k++) {
+        item = (uint32_t)ktg_random_below(&state->random, state->item_count);
+        const nest_shape *shape = state->bodies[item].shape;
+        if (shape->area >= LARGE * largest && shape != other)
+            break;
+    }
+    return item;
+}
+
 /* Two large items of different shapes change places. */
 static void disturb(nest_state *state) {
-    uint32_t n = state->item_count, pair[2];
-    double largest = 0;
-    for (uint32_t i = 0; i < n; i++)
-        largest = fmax(largest, state->bodies[i].shape->area);
-    for (int k = 0, tries = 0; k < 2 && tries < 1000; tries++) {
-        pair[k] = (uint32_t)ktg_random_below(&state->random, n);
-        const nest_shape *shape = state->bodies[pair[k]].shape;
-        if (shape->area >= 0.2 * largest * (tries < 500) &&
-            (k == 0 || tries > 900 || shape != state->bodies[pair[0]].shape))
-            k++;
-        else
-            continue;
-    }
-    nest_pose a = state->bodies[pair[0]].pose, b = state->bodies[pair[1]].pose;
-    nest_pose to_a = {b.bin, a.turn, b.at}, to_b = {a.bin, b.turn, a.at};
-    if (nest_clamp(state, &to_a))
-        nest_put(state, pair[0], &to_a);
-    if (nest_clamp(state, &to_b))
-        nest_put(state, pair[1], &to_b);
-    nest_forget_weights(state);
-    nest_measure(state);
+    uint32_t a = large_item(state, NULL), b = large_item(state, state->bodies[a].shape);
+    nest_pose at_a = state->bodies[a].pose, at_b = state->bodies[b].pose;
+    nest_pose a_to_b = {at_b.bin, at_a.turn, at_b.at}, b_to_a = {at_a.bin, at_b.turn, at_a.at};
+    if (ktg_nest_clamp(state, &a_to_b))
+        ktg_nest_put(state, a, &a_to_b);
+    if (ktg_nest_clamp(state, &b_to_a))
+        ktg_nest_put(state, b, &b_to_a);
+    ktg_nest_forget_weights(state);
+    ktg_nest_measure(state);
 }
 
 static double share_done(const search *s) {
@@ -172,17 +197,18 @@ static void tell(search *s, double share) {
 static bool goes_on(search *s, double until) {
     double share = share_done(s);
     tell(s, share);
-    return share < until && !nest_is_over(&s->state);
+    return share < until && s->length > s->state.problem->enough && !ktg_nest_is_over(&s->state);
 }
 
 /* Resolves what shrinking brought about; where steps are small already, from other arrangements
  * too. */
 static ktg_status resolve(search *s, double step, bool *done) {
     bool large = step > SMALL_STEP;
-    KTG_TRY(nest_separate(&s->state, large ? 1 : 3, large ? 20 : 50, done));
+    KTG_TRY(ktg_nest_separate(&s->state, large ? LARGE_STRIKES : SMALL_STRIKES,
+                              large ? LARGE_PATIENCE : SMALL_PATIENCE, done));
     while (!*done && step <= LEAST_STEP && goes_on(s, EXPLORE)) {
         disturb(&s->state);
-        KTG_TRY(nest_separate(&s->state, 3, 50, done));
+        KTG_TRY(ktg_nest_separate(&s->state, SMALL_STRIKES, SMALL_PATIENCE, done));
     }
     return KTG_OK;
 }
@@ -204,7 +230,7 @@ static ktg_status compress(search *s) {
         double left = fmax(0, 1 - share_done(s)) / (1 - EXPLORE);
         double step = COMPRESS_END + (COMPRESS - COMPRESS_END) * fmin(1, left);
         if (shrink(s, s->length * (1 - step)))
-            KTG_TRY(nest_separate(&s->state, 1, 50, &done));
+            KTG_TRY(ktg_nest_separate(&s->state, COMPRESS_STRIKES, SMALL_PATIENCE, &done));
         if (done)
             (void)take(s);
     }
@@ -214,7 +240,7 @@ static ktg_status compress(search *s) {
 /* ---- the whole ---------------------------------------------------------------------------- */
 
 static ktg_status make(ktg_context *context, const ktg_nest_problem *problem, search *s) {
-    KTG_TRY(nest_state_make(context, problem, &s->state));
+    KTG_TRY(ktg_nest_state_make(context, problem, &s->state));
     size_t n = problem->item_count;
     s->best = ktg_new(context, n, nest_pose);
     s->placed = ktg_new(context, n, ktg_vec2 *);
@@ -229,7 +255,7 @@ static ktg_status make(ktg_context *context, const ktg_nest_problem *problem, se
 }
 
 static void drop(search *s, size_t item_count) {
-    nest_state_drop(&s->state);
+    ktg_nest_state_drop(&s->state);
     for (size_t i = 0; s->placed && i < item_count; i++)
         ktg_free(s->placed[i]);
     ktg_free(s->placed);

@@ -33,6 +33,7 @@ typedef struct ktg_nest_problem {
     size_t item_count;
     double width, length; /* of a bin; length may be infinite */
     double gap;           /* between outlines; 0: they may touch */
+    double enough;        /* the search ends once the total length is no more than this */
     uint64_t work;        /* how long to search, in evaluated positions; 0: not at all */
     double seconds;       /* an upper bound; 0: none */
 } ktg_nest_problem;

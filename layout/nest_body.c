@@ -3,18 +3,18 @@
 
 #include "core/memory.h"
 
-ktg_status nest_body_make(ktg_context *context, const nest_shape *shape, uint32_t most_corners,
-                          nest_body *body) {
+ktg_status ktg_nest_body_make(ktg_context *context, const nest_shape *shape, uint32_t most_corners,
+                              nest_body *body) {
     *body = (nest_body){.shape = shape};
     body->corners = ktg_new(context, (size_t)most_corners + 1, ktg_vec2);
     return body->corners ? KTG_OK : KTG_MEMORY;
 }
 
-void nest_body_drop(nest_body *body) {
+void ktg_nest_body_drop(nest_body *body) {
     ktg_free(body->corners);
 }
 
-void nest_body_put(nest_body *body, const nest_pose *pose) {
+void ktg_nest_body_put(nest_body *body, const nest_pose *pose) {
     const nest_poles *poles = &body->shape->poles;
     float c = (float)pose->turn.c, s = (float)pose->turn.s;
     float x = (float)pose->at.x, y = (float)pose->at.y;
@@ -25,7 +25,7 @@ void nest_body_put(nest_body *body, const nest_pose *pose) {
     }
 }
 
-void nest_body_put_corners(nest_body *body) {
+void ktg_nest_body_put_corners(nest_body *body) {
     const nest_shape *shape = body->shape;
     double c = body->pose.turn.c, s = body->pose.turn.s;
     ktg_vec2 at = body->pose.at;

@@ -101,8 +101,8 @@ static bool box_holds(const nest_box *a, const nest_box *b) {
            a->high.y >= b->high.y;
 }
 
-bool nest_covers_meet(nest_state *state, const nest_body *a, const nest_body *b,
-                      const nest_box *a_box, const nest_box *b_box) {
+bool ktg_nest_covers_meet(nest_state *state, const nest_body *a, const nest_body *b,
+                          const nest_box *a_box, const nest_box *b_box) {
     ktg_vec2 low = {fmax(a_box->low.x, b_box->low.x), fmax(a_box->low.y, b_box->low.y)};
     ktg_vec2 high = {fmin(a_box->high.x, b_box->high.x), fmin(a_box->high.y, b_box->high.y)};
     return boundaries_touch(state, a, b, low, high) ||
@@ -110,7 +110,7 @@ bool nest_covers_meet(nest_state *state, const nest_body *a, const nest_body *b,
            (box_holds(b_box, a_box) && holds(b, a->corners[0]));
 }
 
-float nest_loss(const nest_body *a, const nest_body *b, bool *deep) {
+float ktg_nest_loss(const nest_body *a, const nest_body *b, bool *deep) {
     float softness = SOFTNESS * (float)fmax(a->shape->diameter, b->shape->diameter);
     float sum = pole_overlap(a, b, softness, deep) + softness * softness;
     return sqrtf(sum * (float)(a->shape->size * b->shape->size));

@@ -117,7 +117,7 @@ static void pad(nest_poles *poles) {
     }
 }
 
-ktg_status nest_poles_find(ktg_context *context, const nest_shape *shape, nest_poles *poles) {
+ktg_status ktg_nest_poles_find(ktg_context *context, const nest_shape *shape, nest_poles *poles) {
     *poles = (nest_poles){ktg_new(context, NEST_MOST_POLES, float),
                           ktg_new(context, NEST_MOST_POLES, float),
                           ktg_new(context, NEST_MOST_POLES, float), 0, 0};

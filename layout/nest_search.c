@@ -10,7 +10,7 @@
 #define LAST_STEP    0.001
 #define STEP_GROWTH  1.1
 #define STEP_SHRINK  0.5
-#define RANDOM_TRIES 64
+#define SAMPLE_TRIES 3 /* at other turns, where one does not fit */
 
 typedef struct candidate {
     nest_pose pose;
@@ -33,13 +33,13 @@ static double loss_by_poles(nest_state *state, uint32_t item, const nest_pose *p
     const float *weights = &state->weights[(size_t)item * n];
     double loss = 0;
     trial->shape = state->bodies[item].shape;
-    nest_body_put(trial, pose);
+    ktg_nest_body_put(trial, pose);
     *doubt_count = 0;
     for (uint32_t i = 0; i < n && loss < bound; i++) {
         if (i == item || state->bins[i] != pose->bin || !nest_boxes_meet(&box, &state->boxes[i]))
             continue;
         bool deep;
-        float pair = nest_loss(trial, &state->bodies[i], &deep) * weights[i];
+        float pair = ktg_nest_loss(trial, &state->bodies[i], &deep) * weights[i];
         state->work += 60;
         if (deep) {
             loss += (double)pair;
@@ -58,12 +58,13 @@ static double loss_at(nest_state *state, uint32_t item, const nest_pose *pose, d
     double loss = loss_by_poles(state, item, pose, bound, &doubt_count);
     state->work += n + 40;
     if (loss < bound && doubt_count > 0) {
-        nest_body_put_corners(trial);
+        ktg_nest_body_put_corners(trial);
         state->work += trial->shape->corner_count;
     }
     for (uint32_t k = 0; k < doubt_count && loss < bound; k++) {
         uint32_t i = state->doubts[k];
-        if (nest_covers_meet(state, trial, &state->bodies[i], &state->boxes[n], &state->boxes[i]))
+        if (ktg_nest_covers_meet(state, trial, &state->bodies[i], &state->boxes[n],
+                                 &state->boxes[i]))
             loss += (double)state->depths[k];
     }
     return loss < bound ? loss : INFINITY;
@@ -98,16 +99,18 @@ static bool random_position(nest_state *state, nest_pose *pose) {
     double length = nest_bin_length(state, pose->bin);
     pose->at.x = between(&state->random, -turn->low.x, length - turn->high.x);
     pose->at.y = between(&state->random, -turn->low.y, state->problem->width - turn->high.y);
-    return nest_clamp(state, pose);
+    return ktg_nest_clamp(state, pose);
 }
 
-bool nest_random_pose(nest_state *state, const nest_shape *shape, nest_pose *pose) {
-    for (int k = 0; k < RANDOM_TRIES; k++) {
-        state->work += 1 + shape->hull_count;
+bool ktg_nest_random_pose(nest_state *state, const nest_shape *shape, int tries, nest_pose *pose) {
+    for (int k = 0; k < tries; k++) {
         pose->bin = random_bin(state);
-        pose->turn = nest_turn_by(shape, random_angle(state, shape));
-        if (random_position(state, pose))
+        pose->turn = ktg_nest_turn_by(shape, random_angle(state, shape));
+        state->work += 20 + shape->hull_count;
+        if (random_position(state, pose)) {
+            ktg_nest_turn_cover(shape, &pose->turn);
             return true;
+        }
     }
     return false;
 }
@@ -119,12 +122,16 @@ static bool near_pose(nest_state *state, const nest_body *body, nest_pose *pose)
     double reach = 0.5 * shape->size;
     *pose = body->pose;
     if (shape->turn_count == 0)
-        pose->turn = nest_turn_by(shape, pose->turn.angle + between(random, -0.3, 0.3));
+        pose->turn = ktg_nest_turn_by(shape, pose->turn.angle + between(random, -0.3, 0.3));
     else if (shape->turn_count > 1 && ktg_random_below(random, 2))
-        pose->turn = nest_turn_by(shape, random_angle(state, shape));
+        pose->turn = ktg_nest_turn_by(shape, random_angle(state, shape));
     pose->at.x += between(random, -reach, reach);
     pose->at.y += between(random, -reach, reach);
-    return nest_clamp(state, pose);
+    state->work += 20 + shape->hull_count;
+    if (!ktg_nest_clamp(state, pose))
+        return false;
+    ktg_nest_turn_cover(shape, &pose->turn);
+    return true;
 }
 
 static bool is_near(const candidate *a, const candidate *b, double reach) {
@@ -160,7 +167,7 @@ static void sample(nest_state *state, uint32_t item, shortlist *list) {
     const nest_body *body = &state->bodies[item];
     for (int k = 0; k < WIDE_SAMPLES + NEAR_SAMPLES && list->items[0].loss > 0; k++) {
         candidate c;
-        if (!(k < WIDE_SAMPLES ? nest_random_pose(state, body->shape, &c.pose)
+        if (!(k < WIDE_SAMPLES ? ktg_nest_random_pose(state, body->shape, SAMPLE_TRIES, &c.pose)
                                : near_pose(state, body, &c.pose)))
             continue;
         c.loss = loss_at(state, item, &c.pose, bound_of(list));
@@ -187,9 +194,11 @@ static bool step_from(nest_state *state, uint32_t item, const candidate *from, c
     to->pose.at.y += sign * way->y * step->y;
     if (way->turn != 0)
         to->pose.turn =
-            nest_turn_by(shape, to->pose.turn.angle + sign * 2 * step->turn / shape->diameter);
-    if (!nest_clamp(state, &to->pose))
+            ktg_nest_turn_by(shape, to->pose.turn.angle + sign * 2 * step->turn / shape->diameter);
+    if (!ktg_nest_clamp(state, &to->pose))
         return false;
+    if (way->turn != 0)
+        ktg_nest_turn_cover(shape, &to->pose.turn);
     to->loss = loss_at(state, item, &to->pose, bound);
     return to->loss < bound;
 }
@@ -230,7 +239,7 @@ static double present_loss(const nest_state *state, uint32_t item) {
     return loss;
 }
 
-void nest_improve(nest_state *state, uint32_t item) {
+void ktg_nest_improve(nest_state *state, uint32_t item) {
     shortlist list = {{{state->bodies[item].pose, present_loss(state, item)}}, 1};
     double present = list.items[0].loss;
     if (!(present > 0))
@@ -244,5 +253,5 @@ void nest_improve(nest_state *state, uint32_t item) {
     }
     descend(state, item, MIDDLE_STEP, LAST_STEP, &list.items[best]);
     if (list.items[best].loss < present)
-        nest_move(state, item, &list.items[best].pose);
+        ktg_nest_move(state, item, &list.items[best].pose);
 }

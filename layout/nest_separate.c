@@ -44,35 +44,35 @@ static void improve_all(nest_state *state) {
         state->order[k] = state->order[i - 1];
         state->order[i - 1] = swapped;
     }
-    for (uint32_t i = 0; i < count && !nest_is_over(state); i++)
-        nest_improve(state, state->order[i]);
+    for (uint32_t i = 0; i < count && !ktg_nest_is_over(state); i++)
+        ktg_nest_improve(state, state->order[i]);
 }
 
 /* Improves until there was no progress for `patience` rounds; leaves the best in state->kept. */
 static ktg_status strike(nest_state *state, uint32_t patience, double *least) {
-    for (uint32_t idle = 0; idle<patience && * least> 0 && !nest_is_over(state);) {
+    for (uint32_t idle = 0; idle<patience && * least> 0 && !ktg_nest_is_over(state);) {
         KTG_TRY(ktg_check_cancel(state->context));
         improve_all(state);
         adapt_weights(state);
-        double loss = nest_total_loss(state);
+        double loss = ktg_nest_total_loss(state);
         idle = loss < MUCH_LESS * *least ? 0 : idle + 1;
         if (loss < *least) {
             *least = loss;
-            nest_save(state, state->kept);
+            ktg_nest_save(state, state->kept);
         }
     }
     return KTG_OK;
 }
 
-ktg_status nest_separate(nest_state *state, uint32_t strikes, uint32_t patience, bool *done) {
-    double least = nest_total_loss(state);
-    nest_save(state, state->kept);
-    for (uint32_t k = 0; k < strikes && least > 0 && !nest_is_over(state);) {
+ktg_status ktg_nest_separate(nest_state *state, uint32_t strikes, uint32_t patience, bool *done) {
+    double least = ktg_nest_total_loss(state);
+    ktg_nest_save(state, state->kept);
+    for (uint32_t k = 0; k < strikes && least > 0 && !ktg_nest_is_over(state);) {
         double before = least;
         KTG_TRY(strike(state, patience, &least));
         k = least < MUCH_LESS * before ? 0 : k + 1;
-        nest_load(state, state->kept);
-        nest_measure(state);
+        ktg_nest_load(state, state->kept);
+        ktg_nest_measure(state);
     }
     *done = least <= 0;
     return KTG_OK;

@@ -56,7 +56,8 @@ static ktg_status copy_hull(ktg_context *context, const ktg_nest_shape *from, ne
                             &size);
 }
 
-ktg_status nest_shape_make(ktg_context *context, const ktg_nest_shape *from, nest_shape *shape) {
+ktg_status ktg_nest_shape_make(ktg_context *context, const ktg_nest_shape *from,
+                               nest_shape *shape) {
     *shape = (nest_shape){.turns = from->turns, .turn_count = (uint32_t)from->turn_count};
     shape->middle = middle_of(from->cover, from->cover_count);
     shape->corners = ktg_new(context, from->cover_count + 1, ktg_vec2);
@@ -65,10 +66,10 @@ ktg_status nest_shape_make(ktg_context *context, const ktg_nest_shape *from, nes
     copy_cover(from, shape);
     measure(shape);
     KTG_TRY(copy_hull(context, from, shape));
-    return nest_poles_find(context, shape, &shape->poles);
+    return ktg_nest_poles_find(context, shape, &shape->poles);
 }
 
-void nest_shape_drop(nest_shape *shape) {
+void ktg_nest_shape_drop(nest_shape *shape) {
     ktg_free(shape->corners);
     ktg_free(shape->hull);
     ktg_free(shape->poles.x);
@@ -105,11 +106,14 @@ static void turned_box(const ktg_vec2 *points, uint32_t count, double c, double 
     *high = h;
 }
 
-nest_turn nest_turn_by(const nest_shape *shape, double angle) {
+nest_turn ktg_nest_turn_by(const nest_shape *shape, double angle) {
     nest_turn turn = {.angle = angle};
     turn_by(angle, &turn.c, &turn.s);
     turned_box(shape->hull, shape->hull_count, turn.c, turn.s, &turn.low, &turn.high);
-    turned_box(shape->corners, shape->corner_count, turn.c, turn.s, &turn.cover_low,
-               &turn.cover_high);
     return turn;
+}
+
+void ktg_nest_turn_cover(const nest_shape *shape, nest_turn *turn) {
+    turned_box(shape->corners, shape->corner_count, turn->c, turn->s, &turn->cover_low,
+               &turn->cover_high);
 }

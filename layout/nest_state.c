@@ -11,7 +11,7 @@ static ktg_status make_shapes(nest_state *state, uint32_t *most_corners) {
         return KTG_MEMORY;
     for (size_t i = 0; i < problem->shape_count; i++) {
         nest_shape *shape = &state->shapes[i];
-        KTG_TRY(nest_shape_make(state->context, &problem->shapes[i], shape));
+        KTG_TRY(ktg_nest_shape_make(state->context, &problem->shapes[i], shape));
         if (shape->corner_count > *most_corners)
             *most_corners = shape->corner_count;
     }
@@ -25,13 +25,13 @@ static ktg_status make_bodies(nest_state *state, uint32_t most_corners) {
         return KTG_MEMORY;
     for (uint32_t i = 0; i <= n; i++) {
         const nest_shape *shape = &state->shapes[state->problem->items[i < n ? i : 0]];
-        KTG_TRY(nest_body_make(state->context, shape, most_corners, &state->bodies[i]));
+        KTG_TRY(ktg_nest_body_make(state->context, shape, most_corners, &state->bodies[i]));
     }
     return KTG_OK;
 }
 
-ktg_status nest_state_make(ktg_context *context, const ktg_nest_problem *problem,
-                           nest_state *state) {
+ktg_status ktg_nest_state_make(ktg_context *context, const ktg_nest_problem *problem,
+                               nest_state *state) {
     uint32_t most_corners = 0;
     size_t n = problem->item_count;
     *state = (nest_state){.context = context,
@@ -59,11 +59,11 @@ ktg_status nest_state_make(ktg_context *context, const ktg_nest_problem *problem
                : KTG_MEMORY;
 }
 
-void nest_state_drop(nest_state *state) {
+void ktg_nest_state_drop(nest_state *state) {
     for (size_t i = 0; state->shapes && i < state->problem->shape_count; i++)
-        nest_shape_drop(&state->shapes[i]);
+        ktg_nest_shape_drop(&state->shapes[i]);
     for (size_t i = 0; state->bodies && i <= state->item_count; i++)
-        nest_body_drop(&state->bodies[i]);
+        ktg_nest_body_drop(&state->bodies[i]);
     ktg_free(state->shapes);
     ktg_free(state->bodies);
     ktg_free(state->losses);
@@ -86,15 +86,15 @@ static bool clamp(double *at, double low, double high, double room) {
     return true;
 }
 
-bool nest_clamp(const nest_state *state, nest_pose *pose) {
+bool ktg_nest_clamp(const nest_state *state, nest_pose *pose) {
     const nest_turn *turn = &pose->turn;
     return clamp(&pose->at.x, turn->low.x, turn->high.x, nest_bin_length(state, pose->bin)) &&
            clamp(&pose->at.y, turn->low.y, turn->high.y, state->problem->width);
 }
 
-void nest_put(nest_state *state, uint32_t item, const nest_pose *pose) {
-    nest_body_put(&state->bodies[item], pose);
-    nest_body_put_corners(&state->bodies[item]);
+void ktg_nest_put(nest_state *state, uint32_t item, const nest_pose *pose) {
+    ktg_nest_body_put(&state->bodies[item], pose);
+    ktg_nest_body_put_corners(&state->bodies[item]);
     state->boxes[item] = nest_box_at(pose);
     state->bins[item] = pose->bin;
 }
@@ -104,9 +104,9 @@ static float pair_loss(nest_state *state, uint32_t a, uint32_t b) {
         !nest_boxes_meet(&state->boxes[a], &state->boxes[b]))
         return 0;
     bool deep;
-    float loss = nest_loss(&state->bodies[a], &state->bodies[b], &deep);
-    return deep || nest_covers_meet(state, &state->bodies[a], &state->bodies[b], &state->boxes[a],
-                                    &state->boxes[b])
+    float loss = ktg_nest_loss(&state->bodies[a], &state->bodies[b], &deep);
+    return deep || ktg_nest_covers_meet(state, &state->bodies[a], &state->bodies[b],
+                                        &state->boxes[a], &state->boxes[b])
                ? loss
                : 0;
 }
@@ -117,33 +117,33 @@ static void measure_item(nest_state *state, uint32_t item) {
         state->losses[item * n + i] = state->losses[i * n + item] = pair_loss(state, item, i);
 }
 
-void nest_save(const nest_state *state, nest_pose *poses) {
+void ktg_nest_save(const nest_state *state, nest_pose *poses) {
     for (uint32_t i = 0; i < state->item_count; i++)
         poses[i] = state->bodies[i].pose;
 }
 
-void nest_load(nest_state *state, const nest_pose *poses) {
+void ktg_nest_load(nest_state *state, const nest_pose *poses) {
     for (uint32_t i = 0; i < state->item_count; i++)
-        nest_put(state, i, &poses[i]);
+        ktg_nest_put(state, i, &poses[i]);
 }
 
-void nest_move(nest_state *state, uint32_t item, const nest_pose *pose) {
-    nest_put(state, item, pose);
+void ktg_nest_move(nest_state *state, uint32_t item, const nest_pose *pose) {
+    ktg_nest_put(state, item, pose);
     measure_item(state, item);
 }
 
-void nest_measure(nest_state *state) {
+void ktg_nest_measure(nest_state *state) {
     for (uint32_t i = 0; i < state->item_count; i++)
         measure_item(state, i);
 }
 
-void nest_forget_weights(nest_state *state) {
+void ktg_nest_forget_weights(nest_state *state) {
     size_t count = (size_t)state->item_count * state->item_count;
     for (size_t k = 0; k < count; k++)
         state->weights[k] = 1;
 }
 
-double nest_total_loss(const nest_state *state) {
+double ktg_nest_total_loss(const nest_state *state) {
     size_t n = state->item_count;
     double sum = 0;
     for (size_t i = 0; i < n; i++)
@@ -152,7 +152,7 @@ double nest_total_loss(const nest_state *state) {
     return sum;
 }
 
-bool nest_is_over(nest_state *state) {
+bool ktg_nest_is_over(nest_state *state) {
     double seconds = state->problem->seconds;
     if (state->work >= state->work_limit || ktg_wants_finish(state->context) ||
         (seconds > 0 && ktg_clock_seconds() - state->started > seconds))

@@ -84,27 +84,29 @@ typedef struct nest_state {
 
 /* ---- shapes (nest_shape.c, nest_poles.c) -------------------------------------------------- */
 
-KTG_NODISCARD ktg_status nest_shape_make(ktg_context *context, const ktg_nest_shape *from,
-                                         nest_shape *shape);
-void nest_shape_drop(nest_shape *shape);
-KTG_NODISCARD ktg_status nest_poles_find(ktg_context *context, const nest_shape *shape,
-                                         nest_poles *poles);
-nest_turn nest_turn_by(const nest_shape *shape, double angle);
+KTG_NODISCARD ktg_status ktg_nest_shape_make(ktg_context *context, const ktg_nest_shape *from,
+                                             nest_shape *shape);
+void ktg_nest_shape_drop(nest_shape *shape);
+KTG_NODISCARD ktg_status ktg_nest_poles_find(ktg_context *context, const nest_shape *shape,
+                                             nest_poles *poles);
+/* The turn with the box around the outline; that around the cover is for turns that fit. */
+nest_turn ktg_nest_turn_by(const nest_shape *shape, double angle);
+void ktg_nest_turn_cover(const nest_shape *shape, nest_turn *turn);
 
 /* ---- bodies and overlaps (nest_body.c, nest_overlap.c) ------------------------------------ */
 
-KTG_NODISCARD ktg_status nest_body_make(ktg_context *context, const nest_shape *shape,
-                                        uint32_t most_corners, nest_body *body);
-void nest_body_drop(nest_body *body);
+KTG_NODISCARD ktg_status ktg_nest_body_make(ktg_context *context, const nest_shape *shape,
+                                            uint32_t most_corners, nest_body *body);
+void ktg_nest_body_drop(nest_body *body);
 /* Puts the poles; the corners are put when somebody needs them. */
-void nest_body_put(nest_body *body, const nest_pose *pose);
-void nest_body_put_corners(nest_body *body);
+void ktg_nest_body_put(nest_body *body, const nest_pose *pose);
+void ktg_nest_body_put_corners(nest_body *body);
 /* The loss of two covers if they overlap: more, the further they would have to move. *deep: they
  * do, by their poles. */
-float nest_loss(const nest_body *a, const nest_body *b, bool *deep);
+float ktg_nest_loss(const nest_body *a, const nest_body *b, bool *deep);
 /* Whether two covers have a point in common; the corners are put. */
-bool nest_covers_meet(nest_state *state, const nest_body *a, const nest_body *b,
-                      const nest_box *a_box, const nest_box *b_box);
+bool ktg_nest_covers_meet(nest_state *state, const nest_body *a, const nest_body *b,
+                          const nest_box *a_box, const nest_box *b_box);
 
 static inline nest_box nest_box_at(const nest_pose *pose) {
     return (nest_box){ktg_add2(pose->at, pose->turn.cover_low),
@@ -118,34 +120,36 @@ static inline bool nest_boxes_meet(const nest_box *a, const nest_box *b) {
 
 /* ---- the state (nest_state.c) ------------------------------------------------------------- */
 
-KTG_NODISCARD ktg_status nest_state_make(ktg_context *context, const ktg_nest_problem *problem,
-                                         nest_state *state);
-void nest_state_drop(nest_state *state);
+KTG_NODISCARD ktg_status ktg_nest_state_make(ktg_context *context, const ktg_nest_problem *problem,
+                                             nest_state *state);
+void ktg_nest_state_drop(nest_state *state);
 
 static inline double nest_bin_length(const nest_state *state, uint32_t bin) {
     return bin + 1 == state->bin_count ? state->last_length : state->problem->length;
 }
 /* Moves `at` into the bin; false when the shape does not fit there with that turn. */
-bool nest_clamp(const nest_state *state, nest_pose *pose);
-void nest_save(const nest_state *state, nest_pose *poses);
-void nest_load(nest_state *state, const nest_pose *poses); /* leaves the losses alone */
-void nest_put(nest_state *state, uint32_t item, const nest_pose *pose); /* leaves them alone too */
-void nest_move(nest_state *state, uint32_t item, const nest_pose *pose);
+bool ktg_nest_clamp(const nest_state *state, nest_pose *pose);
+void ktg_nest_save(const nest_state *state, nest_pose *poses);
+/* These two leave the losses as they are; a move measures those of the item. */
+void ktg_nest_load(nest_state *state, const nest_pose *poses);
+void ktg_nest_put(nest_state *state, uint32_t item, const nest_pose *pose);
+void ktg_nest_move(nest_state *state, uint32_t item, const nest_pose *pose);
 /* All losses anew. */
-void nest_measure(nest_state *state);
-void nest_forget_weights(nest_state *state);
-double nest_total_loss(const nest_state *state);
+void ktg_nest_measure(nest_state *state);
+void ktg_nest_forget_weights(nest_state *state);
+double ktg_nest_total_loss(const nest_state *state);
 /* True when the search must end: work, time or the caller's wish. */
-bool nest_is_over(nest_state *state);
+bool ktg_nest_is_over(nest_state *state);
 
 /* ---- the search --------------------------------------------------------------------------- */
 
 /* Looks for a place with less weighted overlap and moves the item there (nest_search.c). */
-void nest_improve(nest_state *state, uint32_t item);
-/* Tries to resolve all overlaps; true when it did (nest_separate.c). */
-KTG_NODISCARD ktg_status nest_separate(nest_state *state, uint32_t strikes, uint32_t patience,
-                                       bool *done);
+void ktg_nest_improve(nest_state *state, uint32_t item);
+/* Tries to resolve all overlaps: rounds until `patience` of them in a row brought no progress, and
+ * again from the best until `strikes` times in a row did not; *done: it did (nest_separate.c). */
+KTG_NODISCARD ktg_status ktg_nest_separate(nest_state *state, uint32_t strikes, uint32_t patience,
+                                           bool *done);
 /* A random pose in the bins; false when none was found that fits. */
-bool nest_random_pose(nest_state *state, const nest_shape *shape, nest_pose *pose);
+bool ktg_nest_random_pose(nest_state *state, const nest_shape *shape, int tries, nest_pose *pose);
 
 #endif

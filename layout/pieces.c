@@ -64,6 +64,9 @@ static void out_of_bin(const ktg_sheet_format *sheet, const ktg_nest_place *plac
     laid->at.rotation = remainder(place->turn - QUARTER, 2 * KTG_PI);
 }
 
+/* With more pieces than this the table of pairs would get too large: they stay in rows. */
+#define MOST_PIECES 3000
+
 /* How long to search: so much for each piece, up to a limit. */
 static uint64_t work_for(const ktg_layout_options *options, size_t piece_count) {
     static const struct {
@@ -78,15 +81,23 @@ ktg_status ktg_layout_nest(ktg_context *context, const ktg_pattern *pattern,
                            ktg_layout_report *report) {
     const ktg_sheet_format *sheet = &options->sheet;
     size_t count = pattern->piece_count;
+    if (count > MOST_PIECES)
+        return KTG_OK;
     ktg_vec2 room = ktg_layout_room(sheet);
     nesting n = {0};
     ktg_nest_report done = {0};
     ktg_status status = make(context, pattern, options, &n);
     if (status == KTG_OK) {
-        ktg_nest_problem problem = {
-            n.shapes,        count,  n.items,         count,
-            room.x,          room.y, options->gap_mm, work_for(options, count),
-            options->seconds};
+        ktg_nest_problem problem = {.shapes = n.shapes,
+                                    .shape_count = count,
+                                    .items = n.items,
+                                    .item_count = count,
+                                    .width = room.x,
+                                    .length = room.y,
+                                    .gap = options->gap_mm,
+                                    .enough = options->enough_sheets * room.y * (1 + 1e-9),
+                                    .work = work_for(options, count),
+                                    .seconds = options->seconds};
         for (size_t i = 0; i < count; i++)
             n.places[i] = into_bin(sheet, &laid[i]);
         status = ktg_nest(context, &problem, n.places, &done);

@@ -260,8 +260,8 @@ KTG_API KTG_NODISCARD ktg_status ktg_pattern_finish(ktg_context *context, ktg_pa
 
 /* The largest number of millimetres per present length unit at which the whole pattern, finished
  * with `options`, fits the printable area of ONE sheet: a single piece at its best rotation,
- * several pieces in rows. `gap_mm` is kept between pieces. KTG_GEOMETRY when nothing fits (margins
- * eat the sheet). */
+ * several pieces in rows (more fits when they are nested, which layout does). `gap_mm` is kept
+ * between pieces. KTG_GEOMETRY when nothing fits (margins eat the sheet). */
 KTG_API KTG_NODISCARD ktg_status ktg_pattern_fit(ktg_context *context, const ktg_pattern *pattern,
                                                  const ktg_sheet_format *sheet, double gap_mm,
                                                  const ktg_finish_options *options,

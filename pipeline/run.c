@@ -4,6 +4,7 @@
 #include "core/vec.h"
 #include "pipeline/hand.h"
 #include "pipeline/outputs.h"
+#include "pipeline/sheets.h"
 #include "pipeline/size.h"
 
 #include <string.h>
@@ -120,30 +121,17 @@ static ktg_status make_pieces(ktg_context *context, const ktg_pipeline_options *
     return ktg_pattern_set_omitted(context, p, options->omit, options->omit_count);
 }
 
-/* In what the search's time limit left, or a little. */
-static ktg_status lay_out(ktg_context *context, const ktg_pipeline_options *options,
-                          ktg_pattern *pattern, ktg_pipeline_report *report) {
-    ktg_layout_options layout = options->layout;
-    if (options->unfold.seconds > 0)
-        layout.seconds = fmax(0.1, options->unfold.seconds - report->seconds_unfold);
-    return ktg_layout_place(context, pattern, &layout, &report->layout);
-}
-
 static ktg_status put_on_sheets(ktg_context *context, const ktg_pipeline_options *options,
-                                ktg_pattern *pattern, ktg_pipeline_report *report) {
-    double mm_per_unit = 0;
+                                ktg_pattern **pattern, ktg_pipeline_report *report) {
     ktg_progress(context, "sheets", 0, NULL);
-    KTG_TRY(ktg_size_scale(context, options, pattern, &mm_per_unit));
-    KTG_TRY(ktg_check_cancel(context));
-    KTG_TRY(ktg_pattern_scale(context, pattern, mm_per_unit));
-    KTG_TRY(ktg_pattern_finish(context, pattern, &options->finish, &report->finish));
-    KTG_TRY(lay_out(context, options, pattern, report));
-    report->faces = pattern->face_count;
-    report->pieces = (uint32_t)pattern->piece_count;
-    report->components = (uint32_t)pattern->component_count;
-    report->mm_per_unit = pattern->mm_per_unit;
+    KTG_TRY(ktg_sheets_put(context, options, pattern, report));
+    const ktg_pattern *p = *pattern;
+    report->faces = p->face_count;
+    report->pieces = (uint32_t)p->piece_count;
+    report->components = (uint32_t)p->component_count;
+    report->mm_per_unit = p->mm_per_unit;
     report->up = ktg_size_up(options);
-    report->size_mm = ktg_size_of(pattern->vertices, pattern->vertex_count, report->up);
+    report->size_mm = ktg_size_of(p->vertices, p->vertex_count, report->up);
     return KTG_OK;
 }
 
@@ -162,7 +150,7 @@ static ktg_status shape(ktg_context *context, const ktg_pipeline_options *option
     KTG_TRY(repair(context, options, j->mesh, report));
     KTG_TRY(ktg_hand_make_rules(context, options, j->mesh, &j->hand));
     KTG_TRY(make_pieces(context, options, j->mesh, &j->hand, j->title, &j->pattern, report));
-    return put_on_sheets(context, options, j->pattern, report);
+    return put_on_sheets(context, options, &j->pattern, report);
 }
 
 static ktg_status run(ktg_context *context, const ktg_pipeline_options *options, job *j,

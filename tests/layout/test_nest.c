@@ -65,7 +65,7 @@ static const uint32_t same_items[MOST_ITEMS] = {0};
 
 static void triangles_pair_up_on_a_strip(void **state) {
     ktg_nest_shape shape = shape_of(right_triangle, 3, two_turns, 2);
-    ktg_nest_problem problem = {&shape, 1, same_items, 8, 10.01, INFINITY, 0, 20000000, 0};
+    ktg_nest_problem problem = {&shape, 1, same_items, 8, 10.01, INFINITY, 0, 0, 20000000, 0};
     ktg_nest_place places[8];
     ktg_nest_report report;
     lay_in_line(8, 11, false, places);
@@ -76,7 +76,7 @@ static void triangles_pair_up_on_a_strip(void **state) {
 
 static void freely_turned_triangles_do_too(void **state) {
     ktg_nest_shape shape = shape_of(right_triangle, 3, NULL, 0);
-    ktg_nest_problem problem = {&shape, 1, same_items, 8, 10.01, INFINITY, 0, 60000000, 0};
+    ktg_nest_problem problem = {&shape, 1, same_items, 8, 10.01, INFINITY, 0, 0, 60000000, 0};
     ktg_nest_place places[8];
     ktg_nest_report report;
     lay_in_line(8, 11, false, places);
@@ -87,7 +87,7 @@ static void freely_turned_triangles_do_too(void **state) {
 
 static void few_bins_are_used(void **state) {
     ktg_nest_shape shape = shape_of(right_triangle, 3, two_turns, 2);
-    ktg_nest_problem problem = {&shape, 1, same_items, 8, 10.5, 21, 0.2, 40000000, 0};
+    ktg_nest_problem problem = {&shape, 1, same_items, 8, 10.5, 21, 0.2, 0, 40000000, 0};
     const ktg_vec2 cover[] = {{-0.15, -0.15}, {10.5, -0.15}, {-0.15, 10.5}};
     ktg_nest_place places[8];
     ktg_nest_report report;
@@ -114,7 +114,7 @@ static void hostile_shapes_are_laid(void **state) {
                                    shape_of(repeated, 8, two_turns, (size_t)turns),
                                    shape_of(comb, 12, two_turns, (size_t)turns)};
         const uint32_t items[] = {0, 0, 1, 1, 2, 2, 3, 3, 4, 4};
-        ktg_nest_problem problem = {shapes, 5, items, 10, 10, INFINITY, 0, 20000000, 0};
+        ktg_nest_problem problem = {shapes, 5, items, 10, 10, INFINITY, 0, 0, 20000000, 0};
         ktg_nest_place places[10];
         ktg_nest_report report;
         lay_in_line(10, 10, false, places);
@@ -126,7 +126,7 @@ static void hostile_shapes_are_laid(void **state) {
 
 static void no_work_leaves_everything_where_it_is(void **state) {
     ktg_nest_shape shape = shape_of(right_triangle, 3, two_turns, 2);
-    ktg_nest_problem problem = {&shape, 1, same_items, 3, 10, INFINITY, 0, 0, 0};
+    ktg_nest_problem problem = {&shape, 1, same_items, 3, 10, INFINITY, 0, 0, 0, 0};
     ktg_nest_place places[3];
     ktg_nest_report report;
     lay_in_line(3, 10, false, places);
