@@ -1,6 +1,7 @@
 /* cli/command_unfold.c - katagami unfold and katagami flatten: the whole job. */
 #include "cli/cli.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -15,10 +16,13 @@ static const char unfold_usage[] =
 
 static const char flatten_usage[] =
     "usage: katagami flatten PANEL --unit mm|cm|m|in [-o FILE]... [options]\n\n"
-    "Flattens one disk-like cloth panel as rigidly as it can and adds a seam allowance. Without "
-    "-o\n"
-    "it writes NAME.pdf beside the model; .pdf, .svg, .png and .json can be written. Cloth needs\n"
-    "a size: the model's unit, or the height, width or length of the finished thing.\n\n";
+    "Flattens one disk-like cloth panel as rigidly as it can and adds a seam allowance. Where "
+    "that\n"
+    "would fold faces over, it flattens without folds instead. Without -o it writes NAME.pdf "
+    "beside\n"
+    "the model; .pdf, .svg, .png and .json can be written. Cloth needs a size: the model's unit, "
+    "or\n"
+    "the height, width or length of the finished thing.\n\n";
 
 /* NAME.pdf beside the model. Free with free(). */
 static char *default_output(const char *model) {
@@ -41,11 +45,28 @@ static const char *plural(uint32_t count) {
     return count == 1 ? "" : "s";
 }
 
+static void tell_strain(const ktg_flatten_report *f) {
+    if (f->flipped_by_arap > 0)
+        fprintf(stderr,
+                "as rigid as possible, %u face%s would fold over: flattened without folds "
+                "(injective)\n",
+                f->flipped_by_arap, plural(f->flipped_by_arap));
+    if (f->crossed_by_arap)
+        fputs("as rigid as possible, the panel would lie on itself: flattened otherwise "
+              "(injective)\n",
+              stderr);
+    fprintf(stderr, "strain: mean %.2f %%, 95 %% of the area below %.2f %%, largest %.2f %%\n",
+            100 * f->strain_mean, 100 * f->strain_p95, 100 * f->strain_max);
+    fprintf(stderr, "%.1f %% of the area is strained more than %.4g %%; the border is %.2f %% %s\n",
+            100 * f->area_beyond_limit, 100 * f->strain_limit, 100 * fabs(f->border_error),
+            f->border_error < 0 ? "too short" : "too long");
+}
+
 /* Called before the files are in place: the last words are their names. */
 static void tell_result(void *user, const ktg_pipeline_report *r) {
     const settings *s = user;
     cli_end_progress();
-    if (r->unfold.stopped_by == KTG_STOPPED_INTERRUPT)
+    if (r->unfold.stopped_by == KTG_STOPPED_INTERRUPT || r->flatten.interrupted)
         fputs("interrupted: this is the best pattern so far\n", stderr);
     if (r->unfold.stopped_by == KTG_STOPPED_TIME)
         fputs("the time is over: this is the best pattern so far\n", stderr);
@@ -64,9 +85,7 @@ static void tell_result(void *user, const ktg_pipeline_report *r) {
             "finished size %.0f x %.0f x %.0f mm (width x height x length), %.4g mm per unit\n",
             r->size_mm.x, r->size_mm.y, r->size_mm.z, r->mm_per_unit);
     if (s->pipeline.mode == KTG_CLOTH)
-        fprintf(stderr, "strain: mean %.2f %%, 95 %% of the area below %.2f %%, largest %.2f %%\n",
-                100 * r->flatten.strain_mean, 100 * r->flatten.strain_p95,
-                100 * r->flatten.strain_max);
+        tell_strain(&r->flatten);
     else if (s->pipeline.finish.tab_height_mm > 0)
         fprintf(stderr, "%u seam%s; tabs: %u full, %u reduced, %u without room (butt joints)\n",
                 r->finish.seams, plural(r->finish.seams), r->finish.tabs_full,

@@ -310,8 +310,18 @@ static bool set_piece_faces(settings *s, const char *text) {
 }
 
 static bool set_method_flatten(settings *s, const char *text) {
-    (void)s;
-    return strcmp(text, "two-step") == 0;
+    static const char *const methods[] = {"arap", "injective", "two-step", NULL};
+    int method = word_index(text, methods);
+    s->pipeline.flatten.method = method >= 0 ? (ktg_flatten_method)method : KTG_FLATTEN_ARAP;
+    return method >= 0;
+}
+
+static bool set_strain_limit(settings *s, const char *text) {
+    double percent;
+    if (!parse_number(text, 0, 1000, &percent))
+        return false;
+    s->pipeline.flatten.strain_limit = percent / 100;
+    return true;
 }
 
 static bool set_population(settings *s, const char *text) {
@@ -423,14 +433,19 @@ static const option_line lines[] = {
      "mountain dashed, valley dash-dot; or mountain solid, valley dashed (dashed)"},
     {"flat", 0, "DEGREES", CMD_UNFOLD, set_flat, "folds flatter than this are not drawn (1)"},
     {"allowance", 0, "LENGTH", CMD_FLATTEN, set_allowance, "seam allowance (10mm)"},
-    {"weights", 0, "cotangent|unit", CMD_FLATTEN, set_weight, "weights of the edges (cotangent)"},
+    {"strain-limit", 0, "PERCENT", CMD_FLATTEN, set_strain_limit,
+     "strain the cloth bears; how much of it is strained more is told (5)"},
     {"method", 0, "auto|genetic", CMD_UNFOLD, set_method_unfold,
      "transplants, or the paper's genetic merging (auto)"},
     {"effort", 0, "quick|normal|best", CMD_UNFOLD, set_effort,
      "work spent on a compact net and on nesting its pieces (normal)"},
     {"ease", 0, "WEIGHT", CMD_UNFOLD, set_ease,
      "0 to 10: how much an easy assembly counts against size and tabs (0)"},
-    {"method", 0, "two-step", CMD_FLATTEN, set_method_flatten, "how to flatten (two-step)"},
+    {"method", 0, "arap|injective|two-step", CMD_FLATTEN, set_method_flatten,
+     "as rigid as possible, injective where that folds; always injective; or the two linear steps "
+     "of Igarashi & Igarashi 2009 (arap)"},
+    {"weights", 0, "cotangent|unit", CMD_FLATTEN, set_weight,
+     "weights of the edges for two-step (cotangent)"},
     {"population", 0, "N", CMD_UNFOLD, set_population, "chromosomes in a generation (32)"},
     {"generations", 0, "N", CMD_UNFOLD, set_generations, "at most this many (2000)"},
     {"patience", 0, "N", CMD_UNFOLD, set_patience, "stop after N generations without gain (30)"},

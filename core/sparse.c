@@ -13,6 +13,9 @@
 
 struct ktg_factor {
     cholmod_common common; /* CHOLMOD's state; one per factor, so that nothing is global */
+    cholmod_sparse *a;     /* the matrix; kept when real, so that it can be refilled */
+    size_t *places; /* entry_count: where in a's values each entry goes; made when first asked */
+    size_t entry_count;
     cholmod_factor *l;
     cholmod_dense *x, *y, *e; /* the last solution and workspace, kept from solve to solve */
     size_t n;
@@ -116,19 +119,27 @@ static ktg_status check_pivots(ktg_context *context, const ktg_factor *factor,
     return sound ? KTG_OK : not_definite(context);
 }
 
+/* Factors and checks factor->a, which has been analysed. */
+static ktg_status factor_matrix(ktg_context *context, ktg_factor *factor) {
+    cholmod_common *common = &factor->common;
+    if (!cholmod_l_factorize(factor->a, factor->l, common) || common->status != CHOLMOD_OK)
+        return fail_like_cholmod(context, factor);
+    return check_pivots(context, factor, factor->a);
+}
+
 /* Orders, factors and checks the matrix that `triplet` lists. */
 static ktg_status factor_triplet(ktg_context *context, ktg_factor *factor,
                                  cholmod_triplet *triplet) {
     cholmod_common *common = &factor->common;
-    ktg_status status = KTG_OK;
-    cholmod_sparse *a = cholmod_l_triplet_to_sparse(triplet, 0, common);
-    if (a)
-        factor->l = cholmod_l_analyze(a, common);
-    if (!factor->l || !cholmod_l_factorize(a, factor->l, common) || common->status != CHOLMOD_OK)
-        status = fail_like_cholmod(context, factor);
-    else
-        status = check_pivots(context, factor, a);
-    cholmod_l_free_sparse(&a, common);
+    factor->a = cholmod_l_triplet_to_sparse(triplet, 0, common);
+    factor->entry_count = triplet->nnz;
+    if (factor->a)
+        factor->l = cholmod_l_analyze(factor->a, common);
+    if (!factor->l)
+        return fail_like_cholmod(context, factor);
+    ktg_status status = factor_matrix(context, factor);
+    if (factor->xtype != CHOLMOD_REAL)
+        cholmod_l_free_sparse(&factor->a, common);
     return status;
 }
 
@@ -155,6 +166,45 @@ ktg_status ktg_factor_new(ktg_context *context, uint32_t n, const ktg_sparse_ent
         ((double *)triplet->x)[k] = entries[k].value;
     }
     return finish(context, made, triplet, factor);
+}
+
+/* The place of (row, column) among a's values, whose rows are sorted; it is there. */
+static size_t find_place(const cholmod_sparse *a, uint32_t row, uint32_t column) {
+    const SuiteSparse_long *rows = a->i, *first = a->p;
+    SuiteSparse_long low = first[column], high = first[column + 1];
+    while (high - low > 1) {
+        SuiteSparse_long middle = low + (high - low) / 2;
+        if (rows[middle] <= (SuiteSparse_long)row)
+            low = middle;
+        else
+            high = middle;
+    }
+    assert(rows[low] == (SuiteSparse_long)row);
+    return (size_t)low;
+}
+
+static ktg_status find_places(ktg_context *context, ktg_factor *factor,
+                              const ktg_sparse_entry *entries) {
+    if (factor->places)
+        return KTG_OK;
+    factor->places = ktg_new(context, factor->entry_count, size_t);
+    if (!factor->places)
+        return KTG_MEMORY;
+    for (size_t k = 0; k < factor->entry_count; k++)
+        factor->places[k] = find_place(factor->a, entries[k].row, entries[k].column);
+    return KTG_OK;
+}
+
+ktg_status ktg_factor_refill(ktg_context *context, ktg_factor *factor,
+                             const ktg_sparse_entry *entries, size_t entry_count) {
+    if (factor->xtype != CHOLMOD_REAL || entry_count != factor->entry_count)
+        return ktg_fail(context, KTG_ARGUMENT, "the factor is that of another kind of matrix");
+    KTG_TRY(find_places(context, factor, entries));
+    double *values = factor->a->x;
+    memset(values, 0, factor->a->nzmax * sizeof *values);
+    for (size_t k = 0; k < entry_count; k++)
+        values[factor->places[k]] += entries[k].value;
+    return factor_matrix(context, factor);
 }
 
 ktg_status ktg_factor_new_hermitian(ktg_context *context, uint32_t n,
@@ -218,7 +268,9 @@ void ktg_factor_free(ktg_factor **factor) {
     cholmod_l_free_dense(&old->y, &old->common);
     cholmod_l_free_dense(&old->e, &old->common);
     cholmod_l_free_factor(&old->l, &old->common);
+    cholmod_l_free_sparse(&old->a, &old->common);
     cholmod_l_finish(&old->common);
+    ktg_free(old->places);
     ktg_free(old);
     *factor = NULL;
 }

@@ -2,7 +2,8 @@
  * between folders, not installed).
  *
  * The pattern of use: describe the lower triangle by entries, factor once, solve many right-hand
- * sides by back-substitution. A factor is used by one thread at a time. */
+ * sides by back-substitution; where only the values change, refill it. A factor is used by one
+ * thread at a time. */
 #ifndef KTG_CORE_SPARSE_H
 #define KTG_CORE_SPARSE_H
 
@@ -32,7 +33,14 @@ KTG_NODISCARD ktg_status ktg_factor_new(ktg_context *context, uint32_t n,
                                         const ktg_sparse_entry *entries, size_t entry_count,
                                         ktg_factor **factor);
 
-/* The same for a Hermitian matrix. */
+/* Factors another matrix: the same entries as ktg_factor_new got, in the same order, with other
+ * values. The ordering and the pattern are taken over, which is what makes it cheaper. The same
+ * failures, and KTG_ARGUMENT for another number of entries or the factor of a Hermitian matrix;
+ * after one the factor can only be refilled or freed. */
+KTG_NODISCARD ktg_status ktg_factor_refill(ktg_context *context, ktg_factor *factor,
+                                           const ktg_sparse_entry *entries, size_t entry_count);
+
+/* The same as ktg_factor_new for a Hermitian matrix. */
 KTG_NODISCARD ktg_status ktg_factor_new_hermitian(ktg_context *context, uint32_t n,
                                                   const ktg_hermitian_entry *entries,
                                                   size_t entry_count, ktg_factor **factor);

@@ -3,13 +3,14 @@
  *
  *     ktg_panel_new            the panel: normalised, with adjacency
  *     ktg_panel_check_disk     is it a disk, and if not, what is it
- *     ktg_neighbourhoods_new   every edge's surroundings laid flat
- *     ktg_similarity_step      the paper's first solve
- *     ktg_scale_step           the paper's second solve
+ *     ktg_lay_flat             by one of the methods
+ *     ktg_panel_set_upright    which way is up
  *     ktg_strain_measure       how much the flat shape strains each face
  *     ktg_panel_check_overlap  does it lie on itself
  *     ktg_flat_pattern         the result as a pattern
- */
+ *
+ * and of the two-step method, ktg_neighbourhoods_new (every edge's surroundings laid flat),
+ * ktg_similarity_step and ktg_scale_step. The iterative methods are in flatten/iterate.h. */
 #ifndef KTG_FLATTEN_KERNEL_H
 #define KTG_FLATTEN_KERNEL_H
 
@@ -109,6 +110,14 @@ KTG_NODISCARD ktg_status ktg_similarity_step(ktg_context *context, const ktg_edg
 KTG_NODISCARD ktg_status ktg_scale_step(ktg_context *context, const ktg_edges *edges,
                                         const ktg_pins *pins, ktg_vec2 *positions);
 
+/* ---- method.c ----------------------------------------------------------------------------- */
+
+/* Lays the panel flat (upright) by the method that is asked for, or by one that does not fold it
+ * where the default does. Fills in the report how that was done. */
+KTG_NODISCARD ktg_status ktg_lay_flat(ktg_context *context, const ktg_panel *panel,
+                                      const ktg_flatten_options *options, ktg_vec2 *flat,
+                                      ktg_flatten_report *report);
+
 /* ---- strain.c ----------------------------------------------------------------------------- */
 
 /* The map of one face from 3D to 2D: its signed singular values s1 >= |s2| and the image of a
@@ -123,13 +132,25 @@ typedef struct ktg_face_map {
 ktg_face_map ktg_face_map_of(const ktg_panel *panel, uint32_t face, const ktg_vec2 *flat);
 ktg_vec2 ktg_face_map_direction(const ktg_face_map *map, ktg_vec3 direction);
 
-/* Fills all of *report but the time; face_strain (face_count) may be NULL. *first_flipped: the
- * first face that came out turned over or without area, or KTG_NONE. */
+/* Fills what *report says about the flat shape, by its strain_limit; face_strain (face_count) may
+ * be NULL. *first_flipped: the first face that came out turned over or without area, or KTG_NONE.
+ */
 KTG_NODISCARD ktg_status ktg_strain_measure(ktg_context *context, const ktg_panel *panel,
                                             const ktg_vec2 *flat, double *face_strain,
                                             ktg_flatten_report *report, uint32_t *first_flipped);
 
+/* Faces that are turned over, have less than a millionth of their area or are not finite. */
+uint32_t ktg_panel_count_flipped(const ktg_panel *panel, const ktg_vec2 *flat);
+
+/* The same, however little area is left: a start may be squeezed that much. */
+uint32_t ktg_panel_count_turned_over(const ktg_panel *panel, const ktg_vec2 *flat);
+
 /* ---- overlap.c ---------------------------------------------------------------------------- */
+
+/* Does the border of the flat panel cross itself, and near which two vertices? */
+KTG_NODISCARD ktg_status ktg_panel_find_crossing(ktg_context *context, const ktg_panel *panel,
+                                                 const ktg_vec2 *flat, bool *crossed,
+                                                 uint32_t vertices[2]);
 
 /* KTG_GEOMETRY when the border of the flat panel, of which no face is flipped, crosses itself. */
 KTG_NODISCARD ktg_status ktg_panel_check_overlap(ktg_context *context, const ktg_panel *panel,
@@ -137,10 +158,13 @@ KTG_NODISCARD ktg_status ktg_panel_check_overlap(ktg_context *context, const ktg
 
 /* ---- pattern.c ---------------------------------------------------------------------------- */
 
-/* The flat positions (normalised; turned upright and scaled back in place) as a pattern of one
- * piece. face_strain is copied. */
+/* Turns `flat` upright and moves its box to the origin. */
+void ktg_panel_set_upright(const ktg_panel *panel, ktg_vec2 *flat);
+
+/* The flat positions (normalised) as a pattern of one piece. face_strain is copied. */
 KTG_NODISCARD ktg_status ktg_flat_pattern(ktg_context *context, const ktg_mesh *mesh,
-                                          const ktg_panel *panel, const char *name, ktg_vec2 *flat,
-                                          const double *face_strain, ktg_pattern **pattern);
+                                          const ktg_panel *panel, const char *name,
+                                          const ktg_vec2 *flat, const double *face_strain,
+                                          ktg_pattern **pattern);
 
 #endif

@@ -58,14 +58,21 @@ static bool find_crossing(border_segment *segments, uint32_t count, uint32_t ver
     return false;
 }
 
-ktg_status ktg_panel_check_overlap(ktg_context *context, const ktg_panel *panel,
-                                   const ktg_vec2 *flat) {
-    uint32_t vertices[2];
+ktg_status ktg_panel_find_crossing(ktg_context *context, const ktg_panel *panel,
+                                   const ktg_vec2 *flat, bool *crossed, uint32_t vertices[2]) {
     border_segment *segments = ktg_new(context, panel->adjacency->halfedge_count, border_segment);
     if (!segments)
         return KTG_MEMORY;
-    bool crossed = find_crossing(segments, list_border(panel, flat, segments), vertices);
+    *crossed = find_crossing(segments, list_border(panel, flat, segments), vertices);
     ktg_free(segments);
+    return KTG_OK;
+}
+
+ktg_status ktg_panel_check_overlap(ktg_context *context, const ktg_panel *panel,
+                                   const ktg_vec2 *flat) {
+    uint32_t vertices[2];
+    bool crossed;
+    KTG_TRY(ktg_panel_find_crossing(context, panel, flat, &crossed, vertices));
     if (!crossed)
         return KTG_OK;
     return ktg_fail(context, KTG_GEOMETRY,

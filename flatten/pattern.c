@@ -1,5 +1,5 @@
-/* flatten/pattern.c - the flat panel as a pattern: turned upright, in the model's unit, one piece.
- */
+/* flatten/pattern.c - the flat panel turned upright, then as a pattern of one piece in the model's
+ * unit. */
 #include "core/memory.h"
 #include "core/vec.h"
 #include "flatten/kernel.h"
@@ -36,16 +36,14 @@ static ktg_vec2 upward(const ktg_panel *panel, const ktg_vec2 *flat) {
     return (ktg_vec2){0, 1};
 }
 
-/* Turns `flat` upright, moves its box to the origin and scales it back to the model's unit. */
-static void set_upright(const ktg_panel *panel, ktg_vec2 *flat) {
+void ktg_panel_set_upright(const ktg_panel *panel, ktg_vec2 *flat) {
     ktg_vec2 up = upward(panel, flat), low = {INFINITY, INFINITY};
     for (uint32_t v = 0; v < panel->vertex_count; v++) {
         flat[v] = (ktg_vec2){ktg_cross2(flat[v], up), ktg_dot2(flat[v], up)};
         low = (ktg_vec2){fmin(low.x, flat[v].x), fmin(low.y, flat[v].y)};
     }
     for (uint32_t v = 0; v < panel->vertex_count; v++)
-        flat[v] = (ktg_vec2){ldexp(flat[v].x - low.x, panel->exponent),
-                             ldexp(flat[v].y - low.y, panel->exponent)};
+        flat[v] = ktg_sub2(flat[v], low);
 }
 
 /* ---- the pattern -------------------------------------------------------------------------- */
@@ -65,8 +63,8 @@ static ktg_status set_surface(ktg_context *context, const ktg_mesh *mesh, const 
     return whole ? KTG_OK : KTG_MEMORY;
 }
 
-static ktg_status set_piece(ktg_context *context, const ktg_mesh *mesh, const char *name,
-                            const ktg_vec2 *flat, ktg_pattern *pattern) {
+static ktg_status set_piece(ktg_context *context, const ktg_mesh *mesh, const ktg_panel *panel,
+                            const char *name, const ktg_vec2 *flat, ktg_pattern *pattern) {
     ktg_pattern_piece *piece = pattern->pieces = ktg_new(context, 1, ktg_pattern_piece);
     pattern->components = ktg_new(context, 1, ktg_pattern_component);
     if (!piece || !pattern->components)
@@ -74,7 +72,7 @@ static ktg_status set_piece(ktg_context *context, const ktg_mesh *mesh, const ch
     pattern->piece_count = pattern->component_count = 1;
     pattern->components[0].name = ktg_copy_text(context, name, SIZE_MAX);
     piece->name = ktg_copy_text(context, name, SIZE_MAX);
-    piece->vertices = ktg_copy_array(context, flat, mesh->vertex_count, sizeof(ktg_vec2));
+    piece->vertices = ktg_new(context, mesh->vertex_count, ktg_vec2);
     piece->faces = ktg_new(context, mesh->face_count, uint32_t);
     piece->corners =
         ktg_copy_array(context, mesh->faces, 3 * (size_t)mesh->face_count, sizeof(uint32_t));
@@ -83,6 +81,9 @@ static ktg_status set_piece(ktg_context *context, const ktg_mesh *mesh, const ch
         return KTG_MEMORY;
     for (uint32_t f = 0; f < mesh->face_count; f++)
         piece->faces[f] = f;
+    for (uint32_t v = 0; v < mesh->vertex_count; v++)
+        piece->vertices[v] =
+            (ktg_vec2){ldexp(flat[v].x, panel->exponent), ldexp(flat[v].y, panel->exponent)};
     piece->vertex_count = mesh->vertex_count;
     piece->face_count = mesh->face_count;
     piece->cut_count = 1;
@@ -137,15 +138,14 @@ static ktg_status set_edges(ktg_context *context, const ktg_panel *panel, ktg_pa
 }
 
 ktg_status ktg_flat_pattern(ktg_context *context, const ktg_mesh *mesh, const ktg_panel *panel,
-                            const char *name, ktg_vec2 *flat, const double *face_strain,
+                            const char *name, const ktg_vec2 *flat, const double *face_strain,
                             ktg_pattern **pattern) {
     ktg_pattern *made = ktg_new(context, 1, ktg_pattern);
     if (!made)
         return KTG_MEMORY;
-    set_upright(panel, flat);
     ktg_status status = set_surface(context, mesh, face_strain, made);
     if (status == KTG_OK)
-        status = set_piece(context, mesh, name, flat, made);
+        status = set_piece(context, mesh, panel, name, flat, made);
     if (status == KTG_OK)
         status = set_edges(context, panel, made);
     if (status != KTG_OK)

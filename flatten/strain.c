@@ -76,18 +76,52 @@ static double percentile(strained_area *areas, uint32_t count, double part, doub
     return areas[count - 1].strain;
 }
 
-static bool is_flipped(const ktg_panel *panel, uint32_t face, const ktg_vec2 *flat) {
+/* Below this part of its area a face of the finished shape counts as flipped: later roundings might
+ * turn it over. */
+static const double least_area = 1e-6;
+
+static bool is_flipped(const ktg_panel *panel, uint32_t face, double part_of_area, double least,
+                       const ktg_vec2 *flat) {
     const uint32_t *v = panel->faces + 3 * (size_t)face;
-    return ktg_orientation2(flat[v[0]], flat[v[1]], flat[v[2]]) <= 0;
+    return !(part_of_area > least && part_of_area < INFINITY) ||
+           ktg_orientation2(flat[v[0]], flat[v[1]], flat[v[2]]) <= 0;
+}
+
+static uint32_t count_flipped(const ktg_panel *panel, const ktg_vec2 *flat, double least) {
+    uint32_t count = 0;
+    for (uint32_t f = 0; f < panel->face_count; f++) {
+        ktg_face_map map = ktg_face_map_of(panel, f, flat);
+        count += is_flipped(panel, f, map.s1 * map.s2, least, flat);
+    }
+    return count;
+}
+
+uint32_t ktg_panel_count_flipped(const ktg_panel *panel, const ktg_vec2 *flat) {
+    return count_flipped(panel, flat, least_area);
+}
+
+uint32_t ktg_panel_count_turned_over(const ktg_panel *panel, const ktg_vec2 *flat) {
+    return count_flipped(panel, flat, 0);
+}
+
+static void clear_figures(const ktg_panel *panel, ktg_flatten_report *r) {
+    r->faces = panel->face_count;
+    r->flipped_faces = 0;
+    r->arap_energy = r->symmetric_dirichlet = 0;
+    r->strain_mean = r->strain_max = r->area_beyond_limit = 0;
 }
 
 static void add_face(ktg_face_map map, ktg_flatten_report *report, strained_area *strained) {
     double d1 = map.s1 - 1, d2 = map.s2 - 1;
-    double strain = fmax(fabs(d1), fabs(d2));
+    double strain = fmax(fabs(d1), fabs(d2)), square = map.s1 * map.s1 + map.s2 * map.s2;
     *strained = (strained_area){strain, map.area};
     report->arap_energy += map.area * (d1 * d1 + d2 * d2);
+    report->symmetric_dirichlet +=
+        map.area * (square + square / (map.s1 * map.s1 * map.s2 * map.s2));
     report->strain_mean += map.area * strain;
     report->strain_max = fmax(report->strain_max, strain);
+    if (strain > report->strain_limit)
+        report->area_beyond_limit += map.area;
 }
 
 ktg_status ktg_strain_measure(ktg_context *context, const ktg_panel *panel, const ktg_vec2 *flat,
@@ -97,16 +131,20 @@ ktg_status ktg_strain_measure(ktg_context *context, const ktg_panel *panel, cons
     if (!areas)
         return KTG_MEMORY;
     double total = 0;
-    *report = (ktg_flatten_report){.faces = panel->face_count};
+    clear_figures(panel, report);
     *first_flipped = KTG_NONE;
     for (uint32_t f = 0; f < panel->face_count; f++) {
-        add_face(ktg_face_map_of(panel, f, flat), report, &areas[f]);
+        ktg_face_map map = ktg_face_map_of(panel, f, flat);
+        add_face(map, report, &areas[f]);
         total += areas[f].area;
         if (face_strain)
             face_strain[f] = areas[f].strain;
-        if (is_flipped(panel, f, flat) && report->flipped_faces++ == 0)
+        if (is_flipped(panel, f, map.s1 * map.s2, least_area, flat) && report->flipped_faces++ == 0)
             *first_flipped = f;
     }
+    report->symmetric_dirichlet =
+        report->flipped_faces > 0 ? 0 : report->symmetric_dirichlet / total;
+    report->area_beyond_limit /= total;
     report->arap_energy /= total;
     report->strain_mean /= total;
     report->strain_p95 = percentile(areas, panel->face_count, 0.95, total);

@@ -46,11 +46,20 @@ static ktg_status put_paper(ktg_context *context, ktg_output *output,
 
 static ktg_status put_cloth(ktg_context *context, ktg_output *output,
                             const ktg_pipeline_report *r) {
-    const figure figures[] = {{"arap_energy", r->flatten.arap_energy},
-                              {"strain_mean", r->flatten.strain_mean},
-                              {"strain_p95", r->flatten.strain_p95},
-                              {"strain_max", r->flatten.strain_max},
-                              {"border_error", r->flatten.border_error}};
+    const ktg_flatten_report *f = &r->flatten;
+    const figure figures[] = {{"iterations", f->iterations},
+                              {"flipped_by_arap", f->flipped_by_arap},
+                              {"crossed_by_arap", f->crossed_by_arap},
+                              {"flipped_faces", f->flipped_faces},
+                              {"arap_energy", f->arap_energy},
+                              {"symmetric_dirichlet", f->symmetric_dirichlet},
+                              {"strain_mean", f->strain_mean},
+                              {"strain_p95", f->strain_p95},
+                              {"strain_max", f->strain_max},
+                              {"strain_limit", f->strain_limit},
+                              {"area_beyond_limit", f->area_beyond_limit},
+                              {"border_error", f->border_error}};
+    KTG_TRY(put_text(context, output, "method", ktg_flatten_method_name(f->method)));
     return put_figures(context, output, figures, sizeof figures / sizeof *figures);
 }
 
@@ -83,6 +92,7 @@ ktg_status ktg_pipeline_write_report(ktg_context *context, const ktg_pipeline_op
     KTG_TRY(put_seed(context, output));
     KTG_TRY(put_figures(context, output, figures, sizeof figures / sizeof *figures));
     KTG_TRY(paper ? put_paper(context, output, r) : put_cloth(context, output, r));
-    KTG_TRY(put_text(context, output, "stopped_by", ktg_stopped_by_name(r->unfold.stopped_by)));
+    ktg_stopped_by stopped = r->flatten.interrupted ? KTG_STOPPED_INTERRUPT : r->unfold.stopped_by;
+    KTG_TRY(put_text(context, output, "stopped_by", ktg_stopped_by_name(stopped)));
     return ktg_output_print(context, output, "\n}\n");
 }

@@ -87,6 +87,58 @@ static void several_right_hand_sides_and_solves_share_a_factor(void **state) {
     ktg_factor_free(&factor);
 }
 
+static void a_factor_is_refilled_with_other_values(void **state) {
+    ktg_context *context = *state;
+    enum { side = 12, n = side * side };
+    static ktg_sparse_entry entries[7 * n];
+    static double wanted[n], right[n];
+    size_t count = grid_laplacian(side, 0.25, entries);
+    ktg_factor *factor;
+    assert_int_equal(ktg_factor_new(context, n, entries, count, &factor), KTG_OK);
+    for (int round = 0; round < 4; round++) {
+        for (size_t k = 0; k < count; k++) /* diagonals grow more than edges: stays definite */
+            entries[k].value *=
+                entries[k].row == entries[k].column ? 3 : 1.5 + 0.01 * (double)(k % 7);
+        for (size_t i = 0; i < n; i++) {
+            wanted[i] = cos((double)i + round);
+            right[i] = 0;
+        }
+        for (size_t k = 0; k < count; k++) {
+            right[entries[k].row] += entries[k].value * wanted[entries[k].column];
+            if (entries[k].row != entries[k].column)
+                right[entries[k].column] += entries[k].value * wanted[entries[k].row];
+        }
+        assert_int_equal(ktg_factor_refill(context, factor, entries, count), KTG_OK);
+        assert_int_equal(ktg_factor_solve(context, factor, right, 1, right), KTG_OK);
+        for (size_t i = 0; i < n; i++)
+            assert_true(fabs(right[i] - wanted[i]) < 1e-12);
+    }
+    assert_int_equal(ktg_factor_refill(context, factor, entries, count - 1), KTG_ARGUMENT);
+    ktg_factor_free(&factor);
+}
+
+/* After a matrix that cannot be factored one that can is as good as new. */
+static void a_refill_that_fails_can_be_made_good(void **state) {
+    ktg_context *context = *state;
+    ktg_sparse_entry good[] = {{0, 0, 2}, {1, 0, 1}, {1, 1, 2}},
+                     bad[] = {{0, 0, 1}, {1, 0, 2}, {1, 1, 1}};
+    double values[2] = {4, 5};
+    ktg_factor *factor;
+    assert_int_equal(ktg_factor_new(context, 2, good, 3, &factor), KTG_OK);
+    assert_int_equal(ktg_factor_refill(context, factor, bad, 3), KTG_GEOMETRY);
+    bad[2].value = NAN;
+    assert_int_equal(ktg_factor_refill(context, factor, bad, 3), KTG_GEOMETRY);
+    assert_int_equal(ktg_factor_refill(context, factor, good, 3), KTG_OK);
+    assert_int_equal(ktg_factor_solve(context, factor, values, 1, values), KTG_OK);
+    assert_true(fabs(values[0] - 1) + fabs(values[1] - 2) < 1e-14);
+    ktg_factor_free(&factor);
+    ktg_hermitian_entry hermitian[] = {{0, 0, {1, 0}}};
+    ktg_sparse_entry real[] = {{0, 0, 1}};
+    assert_int_equal(ktg_factor_new_hermitian(context, 1, hermitian, 1, &factor), KTG_OK);
+    assert_int_equal(ktg_factor_refill(context, factor, real, 1), KTG_ARGUMENT);
+    ktg_factor_free(&factor);
+}
+
 static void a_hermitian_system_is_solved(void **state) {
     ktg_context *context = *state;
     /* | 3    1-2i | 1+i |   | 3+3i + (1-2i)(2-i) |   | 3-2i  |
@@ -172,6 +224,8 @@ static ktg_status factor_and_solve(ktg_context *context) {
     ktg_factor *factor;
     ktg_status status = ktg_factor_new(context, n, entries, count, &factor);
     if (status == KTG_OK)
+        status = ktg_factor_refill(context, factor, entries, count);
+    if (status == KTG_OK)
         status = ktg_factor_solve(context, factor, values, 1, values);
     ktg_factor_free(&factor);
     return status;
@@ -212,6 +266,10 @@ int main(void) {
         cmocka_unit_test_setup_teardown(a_known_system_is_solved, make_context, drop_context),
         cmocka_unit_test_setup_teardown(several_right_hand_sides_and_solves_share_a_factor,
                                         make_context, drop_context),
+        cmocka_unit_test_setup_teardown(a_factor_is_refilled_with_other_values, make_context,
+                                        drop_context),
+        cmocka_unit_test_setup_teardown(a_refill_that_fails_can_be_made_good, make_context,
+                                        drop_context),
         cmocka_unit_test_setup_teardown(a_hermitian_system_is_solved, make_context, drop_context),
         cmocka_unit_test_setup_teardown(what_is_not_positive_definite_is_refused, make_context,
                                         drop_context),

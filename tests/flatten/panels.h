@@ -59,6 +59,11 @@ static inline ktg_vec3 zigzag(double u, double v) {
     return (ktg_vec3){2 * u, v, 0.8 * (within < 1 ? within : 2 - within)};
 }
 
+/* The right half lies on the left one. */
+static inline ktg_vec3 folded_in_two(double u, double v) {
+    return (ktg_vec3){fabs(2 * u - 1), v, 0};
+}
+
 static inline ktg_vec3 cylinder(double u, double v) {
     return (ktg_vec3){sin(4 * u), v, cos(4 * u)};
 }
@@ -81,6 +86,51 @@ static inline ktg_vec3 shallow_cap(double u, double v) {
 
 static inline ktg_vec3 almost_sphere(double u, double v) {
     return cap(u, v, 3);
+}
+
+static inline ktg_vec3 hemisphere(double u, double v) {
+    return cap(u, v, KTG_PI / 2);
+}
+
+static inline ktg_vec3 saddle(double u, double v) {
+    double x = 2 * u - 1, y = 2 * v - 1;
+    return (ktg_vec3){x, y, x * x - y * y};
+}
+
+/* So steep that it is laid on itself when every face is as rigid as possible. */
+static inline ktg_vec3 monkey_saddle(double u, double v) {
+    double x = 2 * u - 1, y = 2 * v - 1;
+    return (ktg_vec3){x, y, 3 * (x * x * x - 3 * x * y * y)};
+}
+
+static inline ktg_vec3 ripples(double u, double v) {
+    return (ktg_vec3){3 * u, 2 * v, 0.15 * sin(9 * u) * sin(7 * v)};
+}
+
+/* Four thin spikes, one of them bent, out of a square. */
+static inline ktg_vec3 spikes(double u, double v) {
+    double x = 2 * u - 1, y = 2 * v - 1, z = 0;
+    const double bumps[][4] = {
+        {0, 0, 2, 0.12}, {0.5, 0.5, 1.5, 0.1}, {-0.5, 0.4, 3, 0.1}, {0.5, -0.5, 2.5, 0.15}};
+    for (int k = 0; k < 4; k++)
+        z += bumps[k][2] *
+             exp(-((x - bumps[k][0]) * (x - bumps[k][0]) + (y - bumps[k][1]) * (y - bumps[k][1])) /
+                 (2 * bumps[k][3] * bumps[k][3]));
+    return (ktg_vec3){x + 0.2 * z * z, y, z};
+}
+
+/* Faces from 1e-10 to 1/10 of its size. */
+static inline ktg_vec3 uneven(double u, double v) {
+    return (ktg_vec3){pow(u, 6), pow(v, 6), 0.3 * sin(6 * u) * sin(5 * v)};
+}
+
+/* A tube of radius 1 and length 8, closed by a hemisphere. */
+static inline ktg_vec3 sock(double u, double v) {
+    double x = 2 * u - 1, y = 2 * v - 1, far = fmax(fabs(x), fabs(y)), length = hypot(x, y);
+    double along = far * (8 + KTG_PI / 2), r = along < KTG_PI / 2 ? sin(along) : 1;
+    double scale = length > 0 ? r / length : 0;
+    double z = along < KTG_PI / 2 ? cos(along) : KTG_PI / 2 - along;
+    return (ktg_vec3){scale * x, scale * y, z};
 }
 
 /* A flat ring that is slit open. */

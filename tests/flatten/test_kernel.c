@@ -77,7 +77,7 @@ static void strain_is_measured_from_known_maps(void **state) {
     ktg_panel *panel;
     assert_int_equal(ktg_panel_new(context, mesh, &panel), KTG_OK);
     double unit = ldexp(1, -panel->exponent), face_strain[2];
-    ktg_flatten_report report;
+    ktg_flatten_report report = {.strain_limit = 0.6};
     uint32_t flipped;
     /* the first stretched 1.5 by 0.8, the second 1.5 by 1.3 and turned over */
     ktg_vec2 flat[] = {{0, 0}, {6, 0}, {0, 3.2}, {1.5, 1.3}};
@@ -96,6 +96,8 @@ static void strain_is_measured_from_known_maps(void **state) {
     assert_true(fabs(face_strain[0] - 0.5) < 1e-14 && fabs(face_strain[1] - 2.3) < 1e-14);
     assert_true(fabs(report.arap_energy - (0.8 * 0.29 + 0.2 * (0.25 + 2.3 * 2.3))) < 1e-13);
     assert_true(fabs(report.strain_mean - (0.8 * 0.5 + 0.2 * 2.3)) < 1e-13);
+    assert_true(fabs(report.area_beyond_limit - 0.2) < 1e-14);
+    assert_int_equal(ktg_panel_count_flipped(panel, flat), 1);
     assert_true(report.strain_max == face_strain[1] && report.strain_p95 == face_strain[1]);
     double before = sqrt(32) + 4 + sqrt(2) + sqrt(10);
     double after = hypot(6, 3.2) + 3.2 + hypot(1.5, 1.3) + hypot(4.5, 1.3);
