@@ -10,6 +10,12 @@ typedef struct ktg_laid {
     ktg_pattern_placement at;
 } ktg_laid;
 
+/* The area of a piece's faces as they lie flat, in square millimetres. */
+double ktg_layout_face_area(const ktg_pattern_piece *piece);
+
+/* Frees sheets and their placements; NULL is fine. */
+void ktg_layout_free_sheets(ktg_pattern_sheet *sheets, size_t count);
+
 /* A simple polygon around everything nearer to the piece than half the gap, with a moderate number
  * of corners; allocated. Hollows that are nearly closed are filled. */
 KTG_NODISCARD ktg_status ktg_layout_cover(ktg_context *context, const ktg_pattern_piece *piece,

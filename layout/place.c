@@ -44,22 +44,25 @@ static ktg_status check_pieces(ktg_context *context, const ktg_pattern *pattern)
     return KTG_OK;
 }
 
-/* The area of the faces as they lie in the pieces. */
-static double area_of_faces(const ktg_pattern *pattern) {
+double ktg_layout_face_area(const ktg_pattern_piece *piece) {
     double twice = 0;
-    for (size_t i = 0; i < pattern->piece_count; i++) {
-        const ktg_pattern_piece *piece = &pattern->pieces[i];
-        for (size_t f = 0; f < piece->face_count; f++) {
-            const uint32_t *c = &piece->corners[3 * f];
-            ktg_vec2 a = piece->vertices[c[0]];
-            twice += fabs(
-                ktg_cross2(ktg_sub2(piece->vertices[c[1]], a), ktg_sub2(piece->vertices[c[2]], a)));
-        }
+    for (size_t f = 0; f < piece->face_count; f++) {
+        const uint32_t *c = &piece->corners[3 * f];
+        ktg_vec2 a = piece->vertices[c[0]];
+        twice += fabs(
+            ktg_cross2(ktg_sub2(piece->vertices[c[1]], a), ktg_sub2(piece->vertices[c[2]], a)));
     }
     return twice / 2;
 }
 
-static void free_sheets(ktg_pattern_sheet *sheets, size_t count) {
+static double area_of_faces(const ktg_pattern *pattern) {
+    double area = 0;
+    for (size_t i = 0; i < pattern->piece_count; i++)
+        area += ktg_layout_face_area(&pattern->pieces[i]);
+    return area;
+}
+
+void ktg_layout_free_sheets(ktg_pattern_sheet *sheets, size_t count) {
     for (size_t s = 0; sheets && s < count; s++)
         ktg_free(sheets[s].placements);
     ktg_free(sheets);
@@ -86,7 +89,7 @@ static ktg_pattern_sheet *make_sheets(ktg_context *context, const ktg_layout_opt
             0,
             ktg_new(context, count, ktg_pattern_placement)};
         if (!sheets[s].placements) {
-            free_sheets(sheets, sheet_count);
+            ktg_layout_free_sheets(sheets, sheet_count);
             return NULL;
         }
     }
@@ -180,7 +183,7 @@ static ktg_status put_down(ktg_context *context, ktg_pattern *pattern,
     }
     for (size_t s = 0; options->roll && s < sheet_count; s++)
         cut_off(pattern, &sheets[s]);
-    free_sheets(pattern->sheets, pattern->sheet_count);
+    ktg_layout_free_sheets(pattern->sheets, pattern->sheet_count);
     pattern->sheets = sheets;
     pattern->sheet_count = sheet_count;
     return KTG_OK;

@@ -1,5 +1,6 @@
 /* layout/sheets.c - every piece onto paper, whatever its size: what fits a sheet as usual, the rest
  * as posters. */
+#include "layout/pieces.h"
 #include "layout/poster.h"
 
 #include "core/memory.h"
@@ -66,23 +67,6 @@ static ktg_status place_fitting(ktg_context *context, const ktg_pattern *pattern
     return KTG_OK;
 }
 
-static double area_of_faces(const ktg_pattern_piece *piece) {
-    double twice = 0;
-    for (size_t f = 0; f < piece->face_count; f++) {
-        const uint32_t *c = &piece->corners[3 * f];
-        ktg_vec2 a = piece->vertices[c[0]];
-        twice += fabs(
-            ktg_cross2(ktg_sub2(piece->vertices[c[1]], a), ktg_sub2(piece->vertices[c[2]], a)));
-    }
-    return twice / 2;
-}
-
-static void free_sheets(ktg_pattern_sheet *sheets, size_t count) {
-    for (size_t s = 0; sheets && s < count; s++)
-        ktg_free(sheets[s].placements);
-    ktg_free(sheets);
-}
-
 /* The sheets of the view, then the posters; the view's sheets move over. */
 static ktg_status join(ktg_context *context, const ktg_layout_options *options,
                        const sorting *sorted, ktg_pattern *view, ktg_pattern *pattern) {
@@ -97,13 +81,13 @@ static ktg_status join(ktg_context *context, const ktg_layout_options *options,
         next += sorted->posters[i].tiles;
     }
     if (status != KTG_OK) {
-        free_sheets(sheets, count);
+        ktg_layout_free_sheets(sheets, count);
         return status;
     }
     for (size_t s = 0; s < view->sheet_count; s++)
         sheets[s] = view->sheets[s];
     view->sheet_count = 0;
-    free_sheets(pattern->sheets, pattern->sheet_count);
+    ktg_layout_free_sheets(pattern->sheets, pattern->sheet_count);
     pattern->sheets = sheets;
     pattern->sheet_count = count;
     return KTG_OK;
@@ -123,7 +107,7 @@ static ktg_status place(ktg_context *context, ktg_pattern *pattern,
         KTG_TRY(ktg_check_cancel(context));
         KTG_TRY(ktg_poster_lay(context, pattern, options, overlap_mm, sorted->large[i],
                                &sorted->posters[i]));
-        area += area_of_faces(&pattern->pieces[sorted->large[i]]);
+        area += ktg_layout_face_area(&pattern->pieces[sorted->large[i]]);
     }
     KTG_TRY(join(context, options, sorted, view, pattern));
     if (report) {
@@ -153,7 +137,7 @@ ktg_status ktg_layout_tile(ktg_context *context, ktg_pattern *pattern,
     ktg_status status = place(context, pattern, options, overlap_mm, &sorted, &view, report);
     for (size_t i = 0; sorted.posters && i < sorted.large_count; i++)
         ktg_poster_drop(&sorted.posters[i]);
-    free_sheets(view.sheets, view.sheet_count);
+    ktg_layout_free_sheets(view.sheets, view.sheet_count);
     ktg_free(view.pieces);
     ktg_free(sorted.fitting);
     ktg_free(sorted.large);
