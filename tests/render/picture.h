@@ -9,18 +9,18 @@
 #include <stdint.h>
 #include <string.h>
 
-typedef struct picture {
+typedef struct snapshot {
     cairo_surface_t *surface;
     int width, height;
     double dots_per_mm, height_mm;
-} picture;
+} snapshot;
 
 typedef struct picture_bytes {
     const char *bytes;
     size_t left;
 } picture_bytes;
 
-static cairo_status_t picture_read(void *closure, unsigned char *bytes, unsigned int size) {
+static inline cairo_status_t picture_read(void *closure, unsigned char *bytes, unsigned int size) {
     picture_bytes *from = closure;
     if (size > from->left)
         return CAIRO_STATUS_READ_ERROR;
@@ -30,19 +30,20 @@ static cairo_status_t picture_read(void *closure, unsigned char *bytes, unsigned
     return CAIRO_STATUS_SUCCESS;
 }
 
-static picture picture_of(const char *bytes, size_t size, double dots_per_mm, double height_mm) {
+static inline snapshot picture_of(const char *bytes, size_t size, double dots_per_mm,
+                                  double height_mm) {
     picture_bytes from = {bytes, size};
     cairo_surface_t *surface = cairo_image_surface_create_from_png_stream(picture_read, &from);
-    return (picture){surface, cairo_image_surface_get_width(surface),
-                     cairo_image_surface_get_height(surface), dots_per_mm, height_mm};
+    return (snapshot){surface, cairo_image_surface_get_width(surface),
+                      cairo_image_surface_get_height(surface), dots_per_mm, height_mm};
 }
 
-static void picture_drop(picture *p) {
+static inline void picture_drop(snapshot *p) {
     cairo_surface_destroy(p->surface);
 }
 
 /* The mean of red, green and blue, 0..255; white outside. */
-static int picture_grey(const picture *p, int x, int y) {
+static inline int picture_grey(const snapshot *p, int x, int y) {
     if (x < 0 || y < 0 || x >= p->width || y >= p->height)
         return 255;
     uint32_t value;
@@ -54,7 +55,7 @@ static int picture_grey(const picture *p, int x, int y) {
 }
 
 /* True when something darker than a tint is within the rectangle. */
-static bool picture_has_ink(const picture *p, double x0, double y0, double x1, double y1) {
+static inline bool picture_has_ink(const snapshot *p, double x0, double y0, double x1, double y1) {
     for (int y = (int)floor((p->height_mm - y1) * p->dots_per_mm);
          y <= (int)ceil((p->height_mm - y0) * p->dots_per_mm) - 1; y++)
         for (int x = (int)floor(x0 * p->dots_per_mm); x <= (int)ceil(x1 * p->dots_per_mm) - 1; x++)

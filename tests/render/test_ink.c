@@ -3,6 +3,7 @@
 #include <setjmp.h>
 #include <stdarg.h>
 
+#include "tests/render/picture.h"
 #include "tests/render/strip.h"
 
 #include <cairo.h>
@@ -17,40 +18,16 @@ static int drop_context(void **state) {
     return *state != NULL;
 }
 
-typedef struct snapshot {
-    cairo_surface_t *surface;
-    int width, height;
-    double dots_per_mm;
-    double sheet_height_mm;
-} snapshot;
-
-typedef struct reader {
-    const char *bytes;
-    size_t left;
-} reader;
-
-static cairo_status_t read_bytes(void *closure, unsigned char *bytes, unsigned int size) {
-    reader *from = closure;
-    if (size > from->left)
-        return CAIRO_STATUS_READ_ERROR;
-    memcpy(bytes, from->bytes, size);
-    from->bytes += size;
-    from->left -= size;
-    return CAIRO_STATUS_SUCCESS;
-}
-
 static snapshot take(ktg_context *context, const ktg_pattern *pattern,
                      const ktg_render_options *options) {
     char *bytes;
     size_t size;
     assert_int_equal(render_bytes(context, pattern, "png", 0, options, &bytes, &size), KTG_OK);
-    reader from = {bytes, size};
-    cairo_surface_t *surface = cairo_image_surface_create_from_png_stream(read_bytes, &from);
-    assert_int_equal(cairo_surface_status(surface), CAIRO_STATUS_SUCCESS);
+    snapshot taken =
+        picture_of(bytes, size, options->dots_per_inch / 25.4, pattern->sheets[0].height_mm);
+    assert_int_equal(cairo_surface_status(taken.surface), CAIRO_STATUS_SUCCESS);
     ktg_free(bytes);
-    return (snapshot){surface, cairo_image_surface_get_width(surface),
-                      cairo_image_surface_get_height(surface), options->dots_per_inch / 25.4,
-                      pattern->sheets[0].height_mm};
+    return taken;
 }
 
 typedef struct colour {
@@ -68,7 +45,7 @@ static colour pixel(const snapshot *picture, int x, int y) {
 /* The darkest pixel within a hair's breadth of a point of the sheet (mm, y up). */
 static colour darkest(const snapshot *picture, double x, double y) {
     int column = (int)floor(x * picture->dots_per_mm),
-        row = (int)floor((picture->sheet_height_mm - y) * picture->dots_per_mm);
+        row = (int)floor((picture->height_mm - y) * picture->dots_per_mm);
     colour dark = {255, 255, 255};
     for (int dy = -1; dy <= 1; dy++)
         for (int dx = -1; dx <= 1; dx++) {
@@ -272,7 +249,7 @@ static bool has_ink(const snapshot *picture, double x0, double y0, double x1, do
     for (double y = y0; y < y1; y += 0.9 / picture->dots_per_mm)
         for (double x = x0; x < x1; x += 0.9 / picture->dots_per_mm) {
             int column = (int)(x * picture->dots_per_mm),
-                row = (int)((picture->sheet_height_mm - y) * picture->dots_per_mm);
+                row = (int)((picture->height_mm - y) * picture->dots_per_mm);
             if (grey(pixel(picture, column, row)) < 230)
                 return true;
         }

@@ -35,14 +35,14 @@ static ktg_pattern *make_poster(ktg_context *context) {
     return pattern;
 }
 
-static picture take(ktg_context *context, const ktg_pattern *pattern, size_t sheet) {
+static snapshot take(ktg_context *context, const ktg_pattern *pattern, size_t sheet) {
     ktg_render_options options;
     char *bytes;
     size_t size;
     ktg_render_defaults(&options);
     options.dots_per_inch = 254;
     assert_int_equal(render_bytes(context, pattern, "png", sheet, &options, &bytes, &size), KTG_OK);
-    picture taken = picture_of(bytes, size, 10, pattern->sheets[sheet].height_mm);
+    snapshot taken = picture_of(bytes, size, 10, pattern->sheets[sheet].height_mm);
     ktg_free(bytes);
     return taken;
 }
@@ -50,7 +50,7 @@ static picture take(ktg_context *context, const ktg_pattern *pattern, size_t she
 static void a_tile_shows_its_printable_area_only(void **state) {
     ktg_context *context = *state;
     ktg_pattern *pattern = make_poster(context);
-    picture first = take(context, pattern, 0), second = take(context, pattern, 1);
+    snapshot first = take(context, pattern, 0), second = take(context, pattern, 1);
     assert_true(picture_has_ink(&first, 88, 34, 90, 36)); /* the outline's lower side */
     assert_false(picture_has_ink(&first, 90.3, 34, 94, 36));
     assert_true(picture_has_ink(&second, 10.2, 74, 12, 76));
@@ -63,7 +63,7 @@ static void a_tile_shows_its_printable_area_only(void **state) {
 static void neighbours_join_where_the_crosses_meet(void **state) {
     ktg_context *context = *state;
     ktg_pattern *pattern = make_poster(context);
-    picture first = take(context, pattern, 0), second = take(context, pattern, 1);
+    snapshot first = take(context, pattern, 0), second = take(context, pattern, 1);
     for (int k = 0; k < 2; k++) {
         double y = k ? 70 : 30; /* 25 and 75 % of the printable height */
         /* Both arms of a cross, at the join of the one and at the trim of the other. */
@@ -138,7 +138,7 @@ static void a_cover_with_the_maps_comes_first(void **state) {
 static void several_pieces_come_with_a_picture_on_the_last_sheet(void **state) {
     ktg_context *context = *state;
     ktg_pattern *pattern = make_strips(context, 2, 210, 297, 10, 40, 200);
-    picture first = take(context, pattern, 0), last = take(context, pattern, 1);
+    snapshot first = take(context, pattern, 0), last = take(context, pattern, 1);
     assert_false(picture_has_ink(&first, 10.5, 10.5, 199, 190));
     assert_true(picture_has_ink(&last, 10.5, 10.5, 135, 75));
     picture_drop(&first);
@@ -179,7 +179,7 @@ static void the_picture_stands_upright(void **state) {
         assert_int_equal(ktg_solid_draw(drawing, cairo, (ktg_area){0, 0, 100, 100}, false), KTG_OK);
         cairo_destroy(cairo);
         cairo_surface_flush(surface);
-        picture p = {surface, 100, 100, 1, 100};
+        snapshot p = {surface, 100, 100, 1, 100};
         assert_true(picture_has_ink(&p, 45, 2, 55, 8) && picture_has_ink(&p, 45, 92, 55, 98));
         assert_false(picture_has_ink(&p, 0, 0, 30, 100) || picture_has_ink(&p, 70, 0, 100, 100));
         picture_drop(&p);
