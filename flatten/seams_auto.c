@@ -1,0 +1,313 @@
+/* flatten/seams_auto.c - seams where a surface needs them.
+ *
+ * Panel by panel, as in Julius et al., "D-Charts" (2005) and Poranne et al., "Autocuts" (2017), but by
+ * trial: a panel that does not fit is cut in each of some ways, the parts are laid flat, and the way
+ * that takes most strain away for its length is kept. Of a surface that mirrors itself one half is
+ * cut, and its seams are copied. At the end every seam has to show that it is needed. */
+#include "core/clock.h"
+#include "core/memory.h"
+#include "core/parallel.h"
+#include "core/vec.h"
+#include "flatten/sheet.h"
+
+#include <string.h>
+
+/* Faces laid flat in trials, at most: as many, or as many times the faces of the surface. */
+static const uint64_t most_work = 3000000, most_work_times = 60;
+
+/* A panel costs as much as this length of seam, in square roots of the area of what is cut. */
+static const double panel_cost = 0.7, least_cost = 0.4;
+
+/* A cut that takes away less than this part of the excess is not worth making. */
+static const double least_gain = 0.03;
+
+typedef struct auto_search {
+    const ktg_seams_auto_options *options;
+    ktg_mesh mesh; /* positions normalised; borrowed */
+    const ktg_adjacency *adjacency;
+    ktg_sheet *sheet; /* of the whole */
+    ktg_mirror mirror;
+    bool *given, *cut; /* edge_count */
+    bool *done;        /* face_count: its panel fits, or cannot be helped */
+    ktg_fit_limit limit;
+    bool exhausted;
+} auto_search;
+
+/* ---- ways to cut one panel ----------------------------------------------------------------- */
+
+typedef struct way {
+    bool *cut; /* NULL where it does not apply */
+    ktg_trial trial;
+    uint64_t work;
+} way;
+
+typedef struct ways {
+    const auto_search *search;
+    const ktg_sheet *sheet;
+    ktg_split *split;
+    way list[ktg_split_ways];
+} ways;
+
+static bool any(const bool *flags, uint32_t count) {
+    for (uint32_t i = 0; i < count; i++)
+        if (flags[i])
+            return true;
+    return false;
+}
+
+/* Makes way number `index`, smooths it and tries it. */
+static ktg_status try_way(ktg_context *context, uint32_t index, void *user) {
+    ways *w = user;
+    way *mine = &w->list[index];
+    ktg_fit_limit limit = w->search->limit;
+    limit.work = 0;
+    bool *cut = mine->cut = ktg_new(context, w->sheet->edge_count, bool);
+    if (!cut)
+        return KTG_MEMORY;
+    KTG_TRY(ktg_split_make(context, w->split, index, cut));
+    if (any(cut, w->sheet->edge_count)) {
+        if (index >= 6)
+            KTG_TRY(ktg_seams_smooth(context, w->sheet, NULL, cut));
+        KTG_TRY(ktg_trial_run(context, w->sheet, cut, &limit, &mine->trial));
+    } else {
+        ktg_free(mine->cut);
+        mine->cut = NULL;
+    }
+    mine->work = limit.work;
+    return KTG_OK;
+}
+
+/* Excess taken away for the length of the seam; what makes everything fit counts twice. */
+static double rate(const ktg_sheet *sheet, const ktg_trial *before, const ktg_trial *after) {
+    double gain = (before->excess - after->excess) / sheet->area;
+    double length = ktg_max(0, after->length - before->length) / sqrt(sheet->area);
+    double cost = least_cost + length + panel_cost * (after->panels - 1);
+    return (after->good ? 2 : 1) * gain / cost;
+}
+
+static const way *best_way(const ways *w, const ktg_trial *before) {
+    const way *best = NULL;
+    double highest = 0;
+    for (uint32_t i = 0; i < ktg_split_ways; i++) {
+        const way *one = &w->list[i];
+        if (!one->cut || (!one->trial.good && one->trial.excess > (1 - least_gain) * before->excess))
+            continue;
+        double its = rate(w->sheet, before, &one->trial);
+        if (!best || its > highest) {
+            best = one;
+            highest = its;
+        }
+    }
+    return best;
+}
+
+/* ---- one panel ----------------------------------------------------------------------------- */
+
+/* Sets in the surface's flags what is set in the panel's. */
+static void carry(auto_search *s, const ktg_cut_panel *part, const ktg_sheet *sheet,
+                  const bool *cut) {
+    for (uint32_t h = 0; h < sheet->adjacency->halfedge_count; h++)
+        if (cut[sheet->adjacency->halfedge_edge[h]] && sheet->adjacency->twin[h] != KTG_NONE)
+            s->cut[s->adjacency->halfedge_edge[3 * part->face[h / 3] + h % 3]] = true;
+}
+
+static void set_done(auto_search *s, const ktg_cut_panel *part) {
+    for (uint32_t f = 0; f < part->mesh->face_count; f++)
+        s->done[part->face[f]] = true;
+}
+
+static ktg_status cut_panel(ktg_context *context, auto_search *s, const ktg_cut_panel *part,
+                            const ktg_sheet *sheet, const ktg_trial *before) {
+    ways w = {.search = s, .sheet = sheet};
+    ktg_status status = ktg_split_new(context, sheet, &w.split);
+    if (status == KTG_OK)
+        status = ktg_parallel_run(context, ktg_split_ways, try_way, &w);
+    const way *best = status == KTG_OK ? best_way(&w, before) : NULL;
+    if (best)
+        carry(s, part, sheet, best->cut);
+    else
+        set_done(s, part);
+#ifdef SEAMS_TRACE
+    for (uint32_t i = 0; i < ktg_split_ways; i++)
+        if (w.list[i].cut)
+            printf("   %c way %2u: panels %u excess %.4f -> %.4f length %.3f good %d\n", best == &w.list[i] ? '*' : ' ',
+                   i, w.list[i].trial.panels, before->excess / sheet->area,
+                   w.list[i].trial.excess / sheet->area, w.list[i].trial.length / sqrt(sheet->area), w.list[i].trial.good);
+    printf("\n");
+#endif
+    for (uint32_t i = 0; i < ktg_split_ways; i++) {
+        s->limit.work += w.list[i].work;
+        ktg_free(w.list[i].cut);
+    }
+    ktg_split_free(&w.split);
+    return status;
+}
+
+static ktg_status refine_panel(ktg_context *context, auto_search *s, const ktg_cut_panel *part) {
+    ktg_sheet *sheet;
+    ktg_trial before;
+    KTG_TRY(ktg_sheet_new(context, part->mesh, NULL, &sheet));
+    bool *nothing = ktg_new(context, sheet->edge_count, bool);
+    ktg_status status = nothing ? KTG_OK : KTG_MEMORY;
+    if (status == KTG_OK)
+        status = ktg_trial_run(context, sheet, nothing, &s->limit, &before);
+    if (status == KTG_OK && before.good)
+        set_done(s, part);
+    else if (status == KTG_OK)
+        status = cut_panel(context, s, part, sheet, &before);
+    ktg_free(nothing);
+    ktg_sheet_free(&sheet);
+    return status;
+}
+
+/* ---- all panels ---------------------------------------------------------------------------- */
+
+static bool is_mirrored(const auto_search *s, const ktg_cut_panel *part) {
+    double side = 0;
+    for (uint32_t f = 0; f < part->mesh->face_count; f++)
+        side += ktg_length3(ktg_sheet_area(part->mesh, f)) *
+                ktg_mirror_side(&s->mirror, ktg_face_centre(part->mesh, f));
+    return side < 0;
+}
+
+/* The first panel with something to do; with `half` on the one side of the mirror only. */
+static const ktg_cut_panel *next_panel(const auto_search *s, const ktg_cut_surface *parts,
+                                       bool half) {
+    for (uint32_t p = 0; p < parts->count; p++)
+        if (!s->done[parts->panels[p].face[0]] && !(half && is_mirrored(s, &parts->panels[p])))
+            return &parts->panels[p];
+    return NULL;
+}
+
+static bool may_go_on(ktg_context *context, auto_search *s) {
+    uint64_t times = most_work_times * s->mesh.face_count;
+    s->exhausted = s->limit.work > (times > most_work ? times : most_work) || ktg_wants_finish(context);
+    return !s->exhausted;
+}
+
+static ktg_status refine(ktg_context *context, auto_search *s, bool half) {
+    for (uint32_t round = 0; may_go_on(context, s); round++) {
+        ktg_cut_surface parts;
+        KTG_TRY(ktg_check_cancel(context));
+        ktg_progress(context, "seams", 1 - 10.0 / (10 + round), NULL);
+        KTG_TRY(ktg_cut_apart(context, &s->mesh, s->adjacency, s->cut, &parts));
+        const ktg_cut_panel *part = next_panel(s, &parts, half);
+        ktg_status status = part ? refine_panel(context, s, part) : KTG_OK;
+        bool ended = !part;
+        ktg_cut_surface_free(&parts);
+        KTG_TRY(status);
+        if (ended)
+            break;
+    }
+    return KTG_OK;
+}
+
+/* One half, then the other with the same seams. */
+static ktg_status refine_mirrored(ktg_context *context, auto_search *s) {
+    const uint32_t edges = s->adjacency->edge_count;
+    KTG_TRY(ktg_mirror_cut(context, s->sheet, &s->mirror, s->cut));
+    KTG_TRY(ktg_seams_smooth(context, s->sheet, s->given, s->cut));
+    bool *plane = ktg_copy_array(context, s->cut, edges, sizeof *plane);
+    if (!plane)
+        return KTG_MEMORY;
+    ktg_status status = refine(context, s, true);
+    if (status == KTG_OK)
+        status = ktg_mirror_seams(context, s->sheet, &s->mirror, plane, s->cut);
+    ktg_free(plane);
+    return status;
+}
+
+static ktg_status search_seams(ktg_context *context, auto_search *s) {
+    if (s->options->symmetric && !any(s->given, s->adjacency->edge_count))
+        KTG_TRY(ktg_mirror_find(context, s->sheet, &s->mirror));
+    if (s->mirror.found)
+        KTG_TRY(refine_mirrored(context, s));
+    KTG_TRY(refine(context, s, false));
+    KTG_TRY(ktg_sheet_open(context, &s->mesh, s->adjacency, s->cut));
+    return ktg_seams_merge(context, s->sheet, s->given, &s->mirror, &s->limit,
+                           s->exhausted ? 0 : 2 * most_work, s->cut);
+}
+
+/* ---- the whole ----------------------------------------------------------------------------- */
+
+static ktg_status fill_report(ktg_context *context, auto_search *s, double unit,
+                              ktg_seams_report *report) {
+    ktg_cut_surface parts;
+    KTG_TRY(ktg_cut_apart(context, &s->mesh, s->adjacency, s->cut, &parts));
+    ktg_status status = KTG_OK;
+    *report = (ktg_seams_report){.panels = parts.count,
+                                 .mirrored = s->mirror.found,
+                                 .exhausted = s->exhausted};
+    for (uint32_t p = 0; status == KTG_OK && p < parts.count; p++) {
+        ktg_fit fit = {0};
+        status = ktg_fit_measure(context, parts.panels[p].mesh, &s->limit, &fit);
+        report->panels_beyond += !fit.good;
+        report->worst_area_beyond = ktg_max(report->worst_area_beyond, fit.beyond);
+    }
+    ktg_cut_surface_free(&parts);
+    ktg_chains chains = {0};
+    if (status == KTG_OK)
+        status = ktg_chains_find(context, s->sheet, s->cut, NULL, &chains);
+    for (uint32_t c = 0; status == KTG_OK && c < chains.count; c++)
+        report->seam_length += chains.chains[c].length * unit;
+    ktg_chains_free(&chains);
+    return status;
+}
+
+static ktg_status start_search(ktg_context *context, const ktg_panel *whole, const bool *cut,
+                               auto_search *s) {
+    const size_t edges = s->adjacency->edge_count;
+    s->given = ktg_copy_array(context, cut, edges, sizeof *cut);
+    s->cut = ktg_copy_array(context, cut, edges, sizeof *cut);
+    s->done = ktg_new(context, s->mesh.face_count, bool);
+    if (!s->given || !s->cut || !s->done)
+        return KTG_MEMORY;
+    s->mesh.positions = whole->positions;
+    return ktg_sheet_new(context, &s->mesh, s->adjacency, &s->sheet);
+}
+
+static ktg_status run_search(ktg_context *context, const ktg_mesh *mesh, auto_search *s, bool *cut,
+                             ktg_seams_report *report) {
+    ktg_panel *whole;
+    KTG_TRY(ktg_panel_new(context, mesh, &whole));
+    ktg_status status = start_search(context, whole, cut, s);
+    if (status == KTG_OK)
+        status = search_seams(context, s);
+    if (status == KTG_OK)
+        status = fill_report(context, s, ldexp(1, whole->exponent), report);
+    if (status == KTG_OK)
+        memcpy(cut, s->cut, s->adjacency->edge_count * sizeof *cut);
+    ktg_panel_free(&whole);
+    return status;
+}
+
+void ktg_seams_auto_defaults(ktg_seams_auto_options *options) {
+    *options = (ktg_seams_auto_options){.max_strain = 0.05, .area_part = 0.95, .symmetric = true};
+}
+
+ktg_status ktg_seams_auto(ktg_context *context, const ktg_mesh *mesh,
+                          const ktg_adjacency *adjacency, const ktg_seams_auto_options *options,
+                          bool *cut, ktg_seams_report *report) {
+    double start = ktg_clock_seconds();
+    ktg_seams_auto_options defaults;
+    ktg_seams_report found = {0};
+    ktg_seams_auto_defaults(&defaults);
+    auto_search s = {.options = options ? options : &defaults, .adjacency = adjacency};
+    if (!(s.options->max_strain > 0) || !(s.options->area_part > 0 && s.options->area_part <= 1))
+        return ktg_fail(context, KTG_ARGUMENT,
+                        "a limit of strain for seams is more than 0, and the part of the area that "
+                        "it is for more than 0 and at most 1");
+    s.limit = (ktg_fit_limit){s.options->max_strain, s.options->area_part, 0};
+    s.mesh.vertex_count = mesh->vertex_count;
+    s.mesh.face_count = mesh->face_count;
+    s.mesh.faces = mesh->faces;
+    ktg_status status = run_search(context, mesh, &s, cut, &found);
+    ktg_sheet_free(&s.sheet);
+    ktg_free(s.given);
+    ktg_free(s.cut);
+    ktg_free(s.done);
+    found.seconds = ktg_clock_seconds() - start;
+    if (report)
+        *report = found;
+    return status;
+}
