@@ -3,6 +3,7 @@
 #include "core/vec.h"
 #include "flatten/iterate.h"
 #include "flatten/sheet.h"
+#include "pattern/hull.h"
 
 /* Strain counts as excess from this part of the limit on, so that a panel that has just come within
  * it is still better when it strains less; and not above this, where more is only more hopeless. */
@@ -62,13 +63,31 @@ static ktg_status settle(ktg_context *context, fitting *f, ktg_fit *fit) {
         options.method = KTG_FLATTEN_INJECTIVE;
         f->limit->work += 2 * (uint64_t)f->panel->face_count;
         KTG_TRY(ktg_lay_flat(context, f->panel, &options, f->flat, &report));
+        double waste = fit->waste;
         add_up(f, fit);
+        fit->waste = waste;
         KTG_TRY(ktg_panel_find_crossing(context, f->panel, f->flat, &crossed, vertices));
         crossed |= ktg_panel_count_flipped(f->panel, f->flat) > 0;
     }
     fit->good = !crossed && fit->beyond <= 1 - f->limit->area_part;
     if (crossed)
         fit->excess += fit->area / 4;
+    return KTG_OK;
+}
+
+static ktg_status find_waste(ktg_context *context, const fitting *f, ktg_fit *fit) {
+    ktg_vec2 *hull;
+    size_t count;
+    double area = 0;
+    fit->waste = 1;
+    for (uint32_t v = 0; v < f->panel->vertex_count; v++)
+        if (!isfinite(f->flat[v].x) || !isfinite(f->flat[v].y))
+            return KTG_OK;
+    KTG_TRY(ktg_hull(context, f->flat, f->panel->vertex_count, &hull, &count));
+    for (size_t i = 0; i < count; i++)
+        area += ktg_cross2(hull[i], hull[(i + 1) % count]) / 2;
+    ktg_free(hull);
+    fit->waste = ktg_max(0, 1 - ldexp(fit->area, -2 * f->panel->exponent) / ktg_max(area, 1e-300));
     return KTG_OK;
 }
 
@@ -85,6 +104,7 @@ static ktg_status measure(ktg_context *context, const ktg_mesh *mesh, fitting *f
         for (uint32_t v = 0; v < f->panel->vertex_count; v++)
             f->flat[v] = (ktg_vec2){0, 0};
     add_up(f, fit);
+    KTG_TRY(find_waste(context, f, fit));
     if (fit->beyond > 2 * (1 - f->limit->area_part))
         return KTG_OK;
     return settle(context, f, fit);

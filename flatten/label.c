@@ -123,16 +123,27 @@ static double threshold(const ktg_sheet *sheet, const valued_face *sorted, doubl
 }
 
 ktg_status ktg_label_by_value(ktg_context *context, const ktg_sheet *sheet, const double *value,
-                              double part, bool *side) {
+                              double part, bool *side, double *at) {
     valued_face *sorted = ktg_new(context, sheet->mesh->face_count, valued_face);
     if (!sorted)
         return KTG_MEMORY;
     for (uint32_t f = 0; f < sheet->mesh->face_count; f++)
         sorted[f] = (valued_face){value[f], f};
     qsort(sorted, sheet->mesh->face_count, sizeof *sorted, by_value);
-    double at = threshold(sheet, sorted, part);
+    *at = threshold(sheet, sorted, part);
     for (uint32_t f = 0; f < sheet->mesh->face_count; f++)
-        side[f] = value[f] > at;
+        side[f] = value[f] > *at;
     ktg_free(sorted);
     return ktg_label_clean(context, sheet, side);
+}
+
+void ktg_plane_cost(const ktg_sheet *sheet, ktg_vec3 normal, double offset, double *cost) {
+    for (uint32_t e = 0; e < sheet->edge_count; e++) {
+        double away = 0;
+        for (int k = 0; k < 2; k++) {
+            ktg_vec3 p = sheet->mesh->positions[sheet->ends[2 * (size_t)e + k]];
+            away += fabs(ktg_dot3(normal, p) - offset) / (2 * sheet->mean_edge);
+        }
+        cost[e] = sheet->length[e] * (1 + away * away);
+    }
 }

@@ -125,17 +125,26 @@ ktg_status ktg_mirror_find(ktg_context *context, const ktg_sheet *sheet, ktg_mir
     return KTG_OK;
 }
 
-ktg_status ktg_mirror_cut(ktg_context *context, const ktg_sheet *sheet, const ktg_mirror *mirror,
-                          bool *cut) {
-    bool *side = ktg_new(context, sheet->mesh->face_count, bool);
-    if (!side)
-        return KTG_MEMORY;
+/* Between the faces of either side, and then as straight as edges allow. */
+static ktg_status cut_straight(ktg_context *context, const ktg_sheet *sheet,
+                               const ktg_mirror *mirror, bool *side, double *cost, bool *plane) {
     for (uint32_t f = 0; f < sheet->mesh->face_count; f++)
         side[f] = ktg_mirror_side(mirror, ktg_face_centre(sheet->mesh, f)) > 0;
-    ktg_status status = ktg_label_clean(context, sheet, side);
-    if (status == KTG_OK)
-        ktg_label_edges(sheet, side, cut);
+    KTG_TRY(ktg_label_clean(context, sheet, side));
+    ktg_label_edges(sheet, side, plane);
+    ktg_plane_cost(sheet, mirror->normal, mirror->offset, cost);
+    return ktg_seams_smooth(context, sheet, cost, NULL, plane);
+}
+
+ktg_status ktg_mirror_cut(ktg_context *context, const ktg_sheet *sheet, const ktg_mirror *mirror,
+                          bool *plane) {
+    bool *side = ktg_new(context, sheet->mesh->face_count, bool);
+    double *cost = ktg_new(context, sheet->edge_count, double);
+    ktg_status status = KTG_MEMORY;
+    if (side && cost)
+        status = cut_straight(context, sheet, mirror, side, cost, plane);
     ktg_free(side);
+    ktg_free(cost);
     return status;
 }
 

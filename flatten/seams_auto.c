@@ -15,8 +15,13 @@
 /* Faces laid flat in trials, at most: as many, or as many times the faces of the surface. */
 static const uint64_t most_work = 3000000, most_work_times = 60;
 
-/* A panel costs as much as this length of seam, in square roots of the area of what is cut. */
-static const double panel_cost = 0.7, least_cost = 0.4;
+/* In square roots of the area of what is cut: what any cut costs, and what a panel smaller than
+ * this part does. */
+static const double least_cost = 0.4, small_cost = 1, small_part = 0.06;
+
+/* Of the area that may be beyond the limit, the part that the search makes use of: what comes after,
+ * seams made equally long, strains a little more. */
+static const double spare = 0.9;
 
 /* A cut that takes away less than this part of the excess is not worth making. */
 static const double least_gain = 0.03;
@@ -27,7 +32,7 @@ typedef struct auto_search {
     const ktg_adjacency *adjacency;
     ktg_sheet *sheet; /* of the whole */
     ktg_mirror mirror;
-    bool *given, *cut; /* edge_count */
+    bool *given, *plane, *cut; /* edge_count: as it was; along the mirror plane; as it is */
     bool *done;        /* face_count: its panel fits, or cannot be helped */
     ktg_fit_limit limit;
     bool exhausted;
@@ -55,6 +60,18 @@ static bool any(const bool *flags, uint32_t count) {
     return false;
 }
 
+static ktg_status make_smooth(ktg_context *context, const ways *w, uint32_t index, bool *cut) {
+    double *cost =
+        ktg_copy_array(context, w->sheet->cost, w->sheet->edge_count, sizeof *w->sheet->cost);
+    if (!cost)
+        return KTG_MEMORY;
+    ktg_status status = ktg_split_make(context, w->split, index, cut, cost);
+    if (status == KTG_OK)
+        status = ktg_seams_smooth(context, w->sheet, cost, NULL, cut);
+    ktg_free(cost);
+    return status;
+}
+
 /* Makes way number `index`, smooths it and tries it. */
 static ktg_status try_way(ktg_context *context, uint32_t index, void *user) {
     ways *w = user;
@@ -64,10 +81,8 @@ static ktg_status try_way(ktg_context *context, uint32_t index, void *user) {
     bool *cut = mine->cut = ktg_new(context, w->sheet->edge_count, bool);
     if (!cut)
         return KTG_MEMORY;
-    KTG_TRY(ktg_split_make(context, w->split, index, cut));
+    KTG_TRY(make_smooth(context, w, index, cut));
     if (any(cut, w->sheet->edge_count)) {
-        if (index >= 6)
-            KTG_TRY(ktg_seams_smooth(context, w->sheet, NULL, cut));
         KTG_TRY(ktg_trial_run(context, w->sheet, cut, &limit, &mine->trial));
     } else {
         ktg_free(mine->cut);
@@ -77,12 +92,14 @@ static ktg_status try_way(ktg_context *context, uint32_t index, void *user) {
     return KTG_OK;
 }
 
-/* Excess taken away for the length of the seam; what makes everything fit counts twice. */
+/* Excess taken away for what it costs: seams, and panels that are awkward or small. What makes
+ * everything fit counts twice. */
 static double rate(const ktg_sheet *sheet, const ktg_trial *before, const ktg_trial *after) {
     double gain = (before->excess - after->excess) / sheet->area;
     double length = ktg_max(0, after->length - before->length) / sqrt(sheet->area);
-    double cost = least_cost + length + panel_cost * (after->panels - 1);
-    return (after->good ? 2 : 1) * gain / cost;
+    double shape = ktg_max(0, after->shape - before->shape);
+    double small = after->least_area < small_part * sheet->area && after->panels > 1 ? small_cost : 0;
+    return (after->good ? 2 : 1) * gain / (least_cost + length + shape + small);
 }
 
 static const way *best_way(const ways *w, const ktg_trial *before) {
@@ -143,12 +160,16 @@ static ktg_status cut_panel(ktg_context *context, auto_search *s, const ktg_cut_
     return status;
 }
 
-static ktg_status refine_panel(ktg_context *context, auto_search *s, const ktg_cut_panel *part) {
+static ktg_status refine_panel(ktg_context *context, auto_search *s, const ktg_cut_surface *parts,
+                               uint32_t index) {
+    const ktg_cut_panel *part = &parts->panels[index];
     ktg_sheet *sheet;
     ktg_trial before;
     KTG_TRY(ktg_sheet_new(context, part->mesh, NULL, &sheet));
     bool *nothing = ktg_new(context, sheet->edge_count, bool);
     ktg_status status = nothing ? KTG_OK : KTG_MEMORY;
+    if (status == KTG_OK)
+        status = ktg_sheet_find_slits(context, parts, index, s->adjacency, sheet);
     if (status == KTG_OK)
         status = ktg_trial_run(context, sheet, nothing, &s->limit, &before);
     if (status == KTG_OK && before.good)
@@ -171,12 +192,11 @@ static bool is_mirrored(const auto_search *s, const ktg_cut_panel *part) {
 }
 
 /* The first panel with something to do; with `half` on the one side of the mirror only. */
-static const ktg_cut_panel *next_panel(const auto_search *s, const ktg_cut_surface *parts,
-                                       bool half) {
+static uint32_t next_panel(const auto_search *s, const ktg_cut_surface *parts, bool half) {
     for (uint32_t p = 0; p < parts->count; p++)
         if (!s->done[parts->panels[p].face[0]] && !(half && is_mirrored(s, &parts->panels[p])))
-            return &parts->panels[p];
-    return NULL;
+            return p;
+    return KTG_NONE;
 }
 
 static bool may_go_on(ktg_context *context, auto_search *s) {
@@ -191,12 +211,13 @@ static ktg_status refine(ktg_context *context, auto_search *s, bool half) {
         KTG_TRY(ktg_check_cancel(context));
         ktg_progress(context, "seams", 1 - 10.0 / (10 + round), NULL);
         KTG_TRY(ktg_cut_apart(context, &s->mesh, s->adjacency, s->cut, &parts));
-        const ktg_cut_panel *part = next_panel(s, &parts, half);
-        ktg_status status = part ? refine_panel(context, s, part) : KTG_OK;
-        bool ended = !part;
+        uint32_t index = next_panel(s, &parts, half);
+        ktg_status status = KTG_OK;
+        if (index != KTG_NONE)
+            status = refine_panel(context, s, &parts, index);
         ktg_cut_surface_free(&parts);
         KTG_TRY(status);
-        if (ended)
+        if (index == KTG_NONE)
             break;
     }
     return KTG_OK;
@@ -204,17 +225,22 @@ static ktg_status refine(ktg_context *context, auto_search *s, bool half) {
 
 /* One half, then the other with the same seams. */
 static ktg_status refine_mirrored(ktg_context *context, auto_search *s) {
-    const uint32_t edges = s->adjacency->edge_count;
-    KTG_TRY(ktg_mirror_cut(context, s->sheet, &s->mirror, s->cut));
-    KTG_TRY(ktg_seams_smooth(context, s->sheet, s->given, s->cut));
-    bool *plane = ktg_copy_array(context, s->cut, edges, sizeof *plane);
-    if (!plane)
-        return KTG_MEMORY;
-    ktg_status status = refine(context, s, true);
-    if (status == KTG_OK)
-        status = ktg_mirror_seams(context, s->sheet, &s->mirror, plane, s->cut);
-    ktg_free(plane);
-    return status;
+    KTG_TRY(ktg_mirror_cut(context, s->sheet, &s->mirror, s->plane));
+    memcpy(s->cut, s->plane, s->adjacency->edge_count * sizeof *s->cut);
+    KTG_TRY(refine(context, s, true));
+    return ktg_mirror_seams(context, s->sheet, &s->mirror, s->plane, s->cut);
+}
+
+static ktg_status revise(ktg_context *context, auto_search *s) {
+    ktg_revision revision = {.sheet = s->sheet,
+                             .fixed = s->given,
+                             .plane = s->plane,
+                             .mirror = &s->mirror,
+                             .limit = &s->limit,
+                             .most_work = s->limit.work + most_work};
+    KTG_TRY(ktg_seams_merge(context, &revision, s->cut));
+    KTG_TRY(ktg_seams_polish(context, &revision, s->cut));
+    return ktg_seams_merge(context, &revision, s->cut);
 }
 
 static ktg_status search_seams(ktg_context *context, auto_search *s) {
@@ -224,8 +250,7 @@ static ktg_status search_seams(ktg_context *context, auto_search *s) {
         KTG_TRY(refine_mirrored(context, s));
     KTG_TRY(refine(context, s, false));
     KTG_TRY(ktg_sheet_open(context, &s->mesh, s->adjacency, s->cut));
-    return ktg_seams_merge(context, s->sheet, s->given, &s->mirror, &s->limit,
-                           s->exhausted ? 0 : 2 * most_work, s->cut);
+    return revise(context, s);
 }
 
 /* ---- the whole ----------------------------------------------------------------------------- */
@@ -238,6 +263,7 @@ static ktg_status fill_report(ktg_context *context, auto_search *s, double unit,
     *report = (ktg_seams_report){.panels = parts.count,
                                  .mirrored = s->mirror.found,
                                  .exhausted = s->exhausted};
+    s->limit.area_part = s->options->area_part;
     for (uint32_t p = 0; status == KTG_OK && p < parts.count; p++) {
         ktg_fit fit = {0};
         status = ktg_fit_measure(context, parts.panels[p].mesh, &s->limit, &fit);
@@ -259,8 +285,9 @@ static ktg_status start_search(ktg_context *context, const ktg_panel *whole, con
     const size_t edges = s->adjacency->edge_count;
     s->given = ktg_copy_array(context, cut, edges, sizeof *cut);
     s->cut = ktg_copy_array(context, cut, edges, sizeof *cut);
+    s->plane = ktg_new(context, edges, bool);
     s->done = ktg_new(context, s->mesh.face_count, bool);
-    if (!s->given || !s->cut || !s->done)
+    if (!s->given || !s->plane || !s->cut || !s->done)
         return KTG_MEMORY;
     s->mesh.positions = whole->positions;
     return ktg_sheet_new(context, &s->mesh, s->adjacency, &s->sheet);
@@ -297,13 +324,14 @@ ktg_status ktg_seams_auto(ktg_context *context, const ktg_mesh *mesh,
         return ktg_fail(context, KTG_ARGUMENT,
                         "a limit of strain for seams is more than 0, and the part of the area that "
                         "it is for more than 0 and at most 1");
-    s.limit = (ktg_fit_limit){s.options->max_strain, s.options->area_part, 0};
+    s.limit = (ktg_fit_limit){s.options->max_strain, 1 - spare * (1 - s.options->area_part), 0};
     s.mesh.vertex_count = mesh->vertex_count;
     s.mesh.face_count = mesh->face_count;
     s.mesh.faces = mesh->faces;
     ktg_status status = run_search(context, mesh, &s, cut, &found);
     ktg_sheet_free(&s.sheet);
     ktg_free(s.given);
+    ktg_free(s.plane);
     ktg_free(s.cut);
     ktg_free(s.done);
     found.seconds = ktg_clock_seconds() - start;

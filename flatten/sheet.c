@@ -3,6 +3,8 @@
 #include "core/memory.h"
 #include "core/vec.h"
 
+#include <string.h>
+
 /* A seam along a crease of this angle or more costs this part of its length: that is where the
  * cloth bends anyhow, and where a seam is not seen. */
 static const double full_crease = 60 * KTG_PI / 180, crease_cost = 0.6;
@@ -63,9 +65,11 @@ static ktg_status fill_sheet(ktg_context *context, ktg_sheet *s) {
     s->length = ktg_new(context, edges, double);
     s->cost = ktg_new(context, edges, double);
     s->border = ktg_new(context, s->mesh->vertex_count, bool);
-    if (!s->ends || !s->around || !s->first || !s->length || !s->cost || !s->border)
+    s->outer = ktg_new(context, s->mesh->vertex_count, bool);
+    if (!s->ends || !s->around || !s->first || !s->length || !s->cost || !s->border || !s->outer)
         return KTG_MEMORY;
     set_edges(s);
+    memcpy(s->outer, s->border, s->mesh->vertex_count * sizeof *s->outer);
     set_around(s);
     for (uint32_t f = 0; f < s->mesh->face_count; f++)
         s->area += ktg_length3(ktg_sheet_area(s->mesh, f));
@@ -97,6 +101,31 @@ void ktg_sheet_free(ktg_sheet **sheet) {
     ktg_free((*sheet)->length);
     ktg_free((*sheet)->cost);
     ktg_free((*sheet)->border);
+    ktg_free((*sheet)->outer);
     ktg_free(*sheet);
     *sheet = NULL;
+}
+
+static bool is_slit(const ktg_cut_surface *parts, uint32_t index, const ktg_adjacency *surface,
+                    uint32_t h) {
+    uint32_t twin = surface->twin[3 * parts->panels[index].face[h / 3] + h % 3];
+    return twin != KTG_NONE && parts->face_panel[twin / 3] == index;
+}
+
+/* Where a closed panel was slit there is nothing but slits: darts begin there after all. */
+ktg_status ktg_sheet_find_slits(ktg_context *context, const ktg_cut_surface *parts, uint32_t index,
+                                const ktg_adjacency *surface, ktg_sheet *sheet) {
+    const uint32_t vertex_count = sheet->mesh->vertex_count;
+    bool *outer = ktg_copy_array(context, sheet->border, vertex_count, sizeof *outer), any = false;
+    if (!outer)
+        return KTG_MEMORY;
+    for (uint32_t h = 0; h < sheet->adjacency->halfedge_count; h++)
+        if (sheet->adjacency->twin[h] == KTG_NONE && is_slit(parts, index, surface, h))
+            outer[sheet->mesh->faces[h]] = outer[sheet->mesh->faces[ktg_halfedge_next(h)]] = false;
+    for (uint32_t v = 0; v < vertex_count; v++)
+        any |= outer[v];
+    if (any)
+        memcpy(sheet->outer, outer, vertex_count * sizeof *outer);
+    ktg_free(outer);
+    return KTG_OK;
 }

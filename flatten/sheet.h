@@ -8,6 +8,7 @@
  *     ktg_fit_measure     how well a disk can be laid flat
  *     ktg_split_make      ways to cut a panel that does not fit
  *     ktg_mirror_find     the plane in which a surface mirrors itself
+ *     ktg_trial_run       a panel cut and laid flat in one of the ways
  *     ktg_seams_merge     seams that are not needed, taken away
  */
 #ifndef KTG_FLATTEN_SHEET_H
@@ -31,6 +32,7 @@ typedef struct ktg_sheet {
     double *length;         /* edge_count */
     double *cost;           /* edge_count: length, less along a crease */
     bool *border;           /* vertex_count */
+    bool *outer;            /* vertex_count: border where a dart may begin */
     double mean_edge, area; /* of the whole sheet */
 } ktg_sheet;
 
@@ -38,6 +40,12 @@ typedef struct ktg_sheet {
 KTG_NODISCARD ktg_status ktg_sheet_new(ktg_context *context, const ktg_mesh *mesh,
                                        const ktg_adjacency *adjacency, ktg_sheet **sheet);
 void ktg_sheet_free(ktg_sheet **sheet);
+
+/* The sheet is panel `index` of what a surface was cut into: darts do not begin at a slit, which is
+ * a seam with the same panel on both sides. */
+KTG_NODISCARD ktg_status ktg_sheet_find_slits(ktg_context *context, const ktg_cut_surface *parts,
+                                              uint32_t index, const ktg_adjacency *surface,
+                                              ktg_sheet *sheet);
 
 static inline bool ktg_sheet_is_border(const ktg_sheet *sheet, uint32_t edge) {
     return sheet->adjacency->twin[sheet->adjacency->edge_halfedges
@@ -101,14 +109,15 @@ void ktg_chains_free(ktg_chains *chains);
 
 /* ---- smooth.c ----------------------------------------------------------------------------- */
 
-/* Leads a run of seams anew, so that it is short and bends little, without leaving its
- * neighbourhood or touching another seam; an end on the border may move along it. */
+/* Leads a run of seams anew, so that it is short by `cost` (edge_count) and bends little, without
+ * leaving its neighbourhood or touching another seam; an end on the border may move along it. */
 KTG_NODISCARD ktg_status ktg_chain_smooth(ktg_context *context, const ktg_sheet *sheet,
-                                          const ktg_chains *chains, uint32_t chain, bool *cut);
+                                          const double *cost, const ktg_chains *chains,
+                                          uint32_t chain, bool *cut);
 
 /* All of them, twice. The number of panels may change where seams are tangled: the caller looks. */
 KTG_NODISCARD ktg_status ktg_seams_smooth(ktg_context *context, const ktg_sheet *sheet,
-                                          const bool *fixed, bool *cut);
+                                          const double *cost, const bool *fixed, bool *cut);
 
 /* ---- fit.c -------------------------------------------------------------------------------- */
 
@@ -116,6 +125,7 @@ typedef struct ktg_fit {
     double area;
     double excess; /* integral over the area of log2(strain / (0.8 limit)), where positive */
     double beyond; /* part of the area beyond the limit, or folded */
+    double waste;  /* part of its convex hull that the flat shape leaves empty */
     bool good;     /* a flat shape within the limit that does not lie on itself */
 } ktg_fit;
 
@@ -128,6 +138,12 @@ typedef struct ktg_fit_limit {
 /* The mesh is a disk. */
 KTG_NODISCARD ktg_status ktg_fit_measure(ktg_context *context, const ktg_mesh *mesh,
                                          ktg_fit_limit *limit, ktg_fit *fit);
+
+/* How awkward a panel of this shape is to cut and to sew, as seam length that one would rather sew,
+ * in square roots of the area around: some for being one panel, more for arms and hollows. */
+static inline double ktg_fit_shape(const ktg_fit *fit) {
+    return 0.5 + 6 * fit->waste * fit->waste;
+}
 
 /* How much the conformal map with a border that keeps its length would have to scale, as a
  * logarithm: largest where a cut takes most strain away. scale: vertex_count. */
@@ -143,14 +159,18 @@ void ktg_axes_of_vectors(const ktg_mesh *mesh, const ktg_vec3 *vectors, ktg_vec3
 
 /* ---- label.c ------------------------------------------------------------------------------ */
 
-/* Which faces lie above a threshold: that below which `part` of the area lies or, where part is 0,
+/* Which faces lie above a threshold *at: that below which `part` of the area lies or, where part is 0,
  * the one that separates low from high values best. Cleaned. side: face_count. */
 KTG_NODISCARD ktg_status ktg_label_by_value(ktg_context *context, const ktg_sheet *sheet,
-                                            const double *value, double part, bool *side);
+                                            const double *value, double part, bool *side,
+                                            double *at);
 /* Teeth and islands go over to the other side. */
 KTG_NODISCARD ktg_status ktg_label_clean(ktg_context *context, const ktg_sheet *sheet, bool *side);
 /* Sets the edges between the two sides. */
 void ktg_label_edges(const ktg_sheet *sheet, const bool *side, bool *cut);
+
+/* Makes edges cost more the further they lie from the plane normal . p = offset. */
+void ktg_plane_cost(const ktg_sheet *sheet, ktg_vec3 normal, double offset, double *cost);
 
 /* ---- trial.c ------------------------------------------------------------------------------ */
 
@@ -158,6 +178,8 @@ void ktg_label_edges(const ktg_sheet *sheet, const bool *side, bool *cut);
 typedef struct ktg_trial {
     uint32_t panels;
     double excess, beyond_area; /* sums over the panels */
+    double shape;               /* sum of how awkward the panels are to sew (ktg_fit_shape) */
+    double least_area;          /* of a panel */
     double length;              /* of the seams */
     bool good;                  /* every panel is */
 } ktg_trial;
@@ -169,7 +191,7 @@ KTG_NODISCARD ktg_status ktg_trial_run(ktg_context *context, const ktg_sheet *sh
 /* ---- split.c ------------------------------------------------------------------------------ */
 
 /* Number of ways that ktg_split_make knows. */
-enum { ktg_split_ways = 16 };
+enum { ktg_split_ways = 19 };
 
 /* What the ways are made from. */
 typedef struct ktg_split ktg_split;
@@ -179,9 +201,10 @@ KTG_NODISCARD ktg_status ktg_split_new(ktg_context *context, const ktg_sheet *sh
 void ktg_split_free(ktg_split **split);
 
 /* Sets in `cut` (edge_count, all false) the edges of one way; none where that way does not apply.
+ * cost (edge_count; the sheet's at first): for smoothing it, lower near where the seam should run.
  */
 KTG_NODISCARD ktg_status ktg_split_make(ktg_context *context, const ktg_split *split, uint32_t way,
-                                        bool *cut);
+                                        bool *cut, double *cost);
 
 /* ---- mirror.c ----------------------------------------------------------------------------- */
 
@@ -198,9 +221,9 @@ static inline double ktg_mirror_side(const ktg_mirror *m, ktg_vec3 p) {
     return m->normal.x * p.x + m->normal.y * p.y + m->normal.z * p.z - m->offset;
 }
 
-/* Sets the edges along the plane. */
+/* Sets in `plane` (edge_count, all false) the edges along the plane. */
 KTG_NODISCARD ktg_status ktg_mirror_cut(ktg_context *context, const ktg_sheet *sheet,
-                                        const ktg_mirror *mirror, bool *cut);
+                                        const ktg_mirror *mirror, bool *plane);
 
 /* Sets, on the side where ktg_mirror_side is negative, the mirror images of the seams of the other
  * side; plane: what ktg_mirror_cut set. */
@@ -211,11 +234,24 @@ KTG_NODISCARD ktg_status ktg_mirror_seams(ktg_context *context, const ktg_sheet 
 uint32_t ktg_mirror_partner(const ktg_sheet *sheet, const ktg_mirror *mirror,
                             const ktg_chains *chains, uint32_t chain);
 
-/* ---- merge.c ------------------------------------------------------------------------------ */
+/* ---- revise.c ----------------------------------------------------------------------------- */
 
-/* Takes away the seams, but for fixed ones, without which a panel still fits. */
-KTG_NODISCARD ktg_status ktg_seams_merge(ktg_context *context, const ktg_sheet *sheet,
-                                         const bool *fixed, const ktg_mirror *mirror,
-                                         ktg_fit_limit *limit, uint64_t most_work, bool *cut);
+/* What may be done to the seams of a surface when all is cut. */
+typedef struct ktg_revision {
+    const ktg_sheet *sheet;
+    const bool *fixed; /* edge_count: seams that stay */
+    const bool *plane; /* edge_count: seams along the mirror plane, or NULL */
+    const ktg_mirror *mirror;
+    ktg_fit_limit *limit;
+    uint64_t most_work; /* limit->work may rise to that */
+} ktg_revision;
+
+/* Takes away the seams without which panels still fit and are not more awkward to sew. */
+KTG_NODISCARD ktg_status ktg_seams_merge(ktg_context *context, const ktg_revision *revision,
+                                         bool *cut);
+
+/* Smooths every run of seams where panels fit as before. */
+KTG_NODISCARD ktg_status ktg_seams_polish(ktg_context *context, const ktg_revision *revision,
+                                          bool *cut);
 
 #endif

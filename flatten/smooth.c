@@ -11,6 +11,7 @@ static const double reach_edges = 2.5, reach_length = 0.1;
 /* A piece of a run that is led anew. */
 typedef struct stretch {
     const ktg_sheet *sheet;
+    const double *cost;
     bool *cut;
     const uint32_t *old; /* edges in order */
     uint32_t count;
@@ -107,7 +108,7 @@ static ktg_status lead_anew(ktg_context *context, stretch *s, uint32_t *count) {
     if (s->ends[0] == s->ends[1])
         return KTG_OK;
     ktg_path_query query = {.sheet = s->sheet,
-                            .cost = s->sheet->cost,
+                            .cost = s->cost,
                             .from = s->from,
                             .to = s->to,
                             .forbidden = s->forbidden,
@@ -137,12 +138,12 @@ static uint32_t vertex_at(const ktg_sheet *sheet, const uint32_t *edges, uint32_
 }
 
 /* What comes back to its start is led anew half by half. */
-ktg_status ktg_chain_smooth(ktg_context *context, const ktg_sheet *sheet, const ktg_chains *chains,
-                            uint32_t chain, bool *cut) {
+ktg_status ktg_chain_smooth(ktg_context *context, const ktg_sheet *sheet, const double *cost,
+                            const ktg_chains *chains, uint32_t chain, bool *cut) {
     const ktg_chain *c = &chains->chains[chain];
     const uint32_t *edges = chains->edges + c->first;
     uint32_t middle = c->ends[0] == c->ends[1] ? c->count / 2 : c->count;
-    stretch s = {.sheet = sheet, .cut = cut, .old = edges, .count = middle};
+    stretch s = {.sheet = sheet, .cost = cost, .cut = cut, .old = edges, .count = middle};
     s.reach = ktg_max(reach_edges * sheet->mean_edge, reach_length * c->length);
     s.ends[0] = c->ends[0];
     s.ends[1] = vertex_at(sheet, edges, c->ends[0], middle);
@@ -150,7 +151,7 @@ ktg_status ktg_chain_smooth(ktg_context *context, const ktg_sheet *sheet, const 
         KTG_TRY(smooth_stretch(context, &s));
     if (middle == c->count)
         return KTG_OK;
-    stretch rest = {.sheet = sheet, .cut = cut, .reach = s.reach};
+    stretch rest = {.sheet = sheet, .cost = cost, .cut = cut, .reach = s.reach};
     rest.old = edges + middle;
     rest.count = c->count - middle;
     rest.ends[0] = s.ends[1];
@@ -158,14 +159,14 @@ ktg_status ktg_chain_smooth(ktg_context *context, const ktg_sheet *sheet, const 
     return smooth_stretch(context, &rest);
 }
 
-ktg_status ktg_seams_smooth(ktg_context *context, const ktg_sheet *sheet, const bool *fixed,
-                            bool *cut) {
+ktg_status ktg_seams_smooth(ktg_context *context, const ktg_sheet *sheet, const double *cost,
+                            const bool *fixed, bool *cut) {
     for (int round = 0; round < 2; round++) {
         ktg_chains chains;
         KTG_TRY(ktg_chains_find(context, sheet, cut, fixed, &chains));
         ktg_status status = KTG_OK;
         for (uint32_t c = 0; status == KTG_OK && c < chains.count; c++)
-            status = ktg_chain_smooth(context, sheet, &chains, c, cut);
+            status = ktg_chain_smooth(context, sheet, cost, &chains, c, cut);
         ktg_chains_free(&chains);
         KTG_TRY(status);
     }

@@ -121,11 +121,6 @@ typedef struct lines {
     uint32_t *edges;
 } lines;
 
-static void mark_near(const ktg_sheet *s, uint32_t vertex, double radius, bool *flags) {
-    for (uint32_t v = 0; v < s->mesh->vertex_count; v++)
-        flags[v] |= ktg_length3(ktg_sub3(s->mesh->positions[v], s->mesh->positions[vertex])) < radius;
-}
-
 /* From the peak to the border; edges in order from the peak. */
 static ktg_status lead_to_border(ktg_context *context, const ktg_sheet *s, uint32_t peak,
                                  uint32_t straight_on, lines *l, uint32_t *count) {
@@ -144,51 +139,77 @@ static void set_cut(const uint32_t *edges, uint32_t count, bool *cut) {
         cut[edges[i]] = true;
 }
 
+/* The vertex where a line from the peak ends. */
+static uint32_t line_end(const ktg_sheet *s, uint32_t peak, const lines *l, uint32_t count,
+                         double *length) {
+    uint32_t v = peak;
+    *length = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        *length += s->length[l->edges[i]];
+        v = ktg_sheet_other_end(s, l->edges[i], v);
+    }
+    return v;
+}
+
+/* The next line is not to end within that length of where the last one did. */
+static void turn_away(const ktg_sheet *s, uint32_t end, double length, lines *l) {
+    for (uint32_t v = 0; v < s->mesh->vertex_count; v++) {
+        ktg_vec3 away = ktg_sub3(s->mesh->positions[v], s->mesh->positions[end]);
+        if (ktg_length3(away) < length)
+            l->to[v] = false;
+    }
+}
+
 /* The second line leaves the peak on the other side, and ends far from where the first did. */
 static ktg_status lead_on(ktg_context *context, const ktg_sheet *s, uint32_t peak, lines *l,
                           uint32_t count, bool *cut) {
-    uint32_t v = peak, straight_on = l->edges[0];
-    double length = 0;
-    for (uint32_t i = 0; i < count; i++) {
-        length += s->length[l->edges[i]];
+    uint32_t v = peak, straight_on = l->edges[0], more;
+    double length;
+    uint32_t end = line_end(s, peak, l, count, &length);
+    turn_away(s, end, length, l);
+    for (uint32_t i = 0; i < count; i++)
         l->forbidden[v = ktg_sheet_other_end(s, l->edges[i], v)] = true;
-    }
-    bool *near = l->from; /* the peak's flag is set again */
-    memset(near, 0, s->mesh->vertex_count * sizeof *near);
-    mark_near(s, v, length, near);
-    for (uint32_t w = 0; w < s->mesh->vertex_count; w++) {
-        l->to[w] &= !near[w];
-        l->forbidden[w] |= s->border[w] && near[w];
-        near[w] = false;
-    }
-    uint32_t more;
     KTG_TRY(lead_to_border(context, s, peak, straight_on, l, &more));
     set_cut(l->edges, more, cut);
     return KTG_OK;
 }
 
-static ktg_status make_lines(ktg_context *context, const ktg_sheet *s, uint32_t peak, bool through,
-                             lines *l, bool *cut) {
+/* What a line should do: number `turn` of those that end apart from each other; on through the peak
+ * or not. */
+typedef struct line_kind {
+    int peak, turn;
+    bool through;
+} line_kind;
+
+static ktg_status make_lines(ktg_context *context, const ktg_sheet *s, uint32_t peak,
+                             line_kind kind, lines *l, bool *cut) {
     const uint32_t vertex_count = s->mesh->vertex_count;
-    uint32_t count;
+    uint32_t count = 0;
     l->from = ktg_new(context, vertex_count, bool);
-    l->to = ktg_copy_array(context, s->border, vertex_count, sizeof(bool));
+    l->to = ktg_copy_array(context, s->outer, vertex_count, sizeof(bool));
     l->forbidden = ktg_copy_array(context, s->border, vertex_count, sizeof(bool));
     l->edges = ktg_new(context, vertex_count, uint32_t);
     if (!l->from || !l->to || !l->forbidden || !l->edges)
         return KTG_MEMORY;
-    KTG_TRY(lead_to_border(context, s, peak, KTG_NONE, l, &count));
+    for (int turn = 0; turn <= kind.turn; turn++) {
+        KTG_TRY(lead_to_border(context, s, peak, KTG_NONE, l, &count));
+        if (turn < kind.turn) {
+            double length;
+            uint32_t end = line_end(s, peak, l, count, &length);
+            turn_away(s, end, 0.7 * length, l);
+        }
+    }
     set_cut(l->edges, count, cut);
-    return through && count > 0 ? lead_on(context, s, peak, l, count, cut) : KTG_OK;
+    return kind.through && count > 0 ? lead_on(context, s, peak, l, count, cut) : KTG_OK;
 }
 
-static ktg_status cut_lines(ktg_context *context, const ktg_split *split, int peak, bool through,
+static ktg_status cut_lines(ktg_context *context, const ktg_split *split, line_kind kind,
                             bool *cut) {
     lines l = {0};
-    if (split->peaks[peak] == KTG_NONE)
+    if (split->peaks[kind.peak] == KTG_NONE)
         return KTG_OK;
     ktg_status status =
-        make_lines(context, split->sheet, split->peaks[peak], through, &l, cut);
+        make_lines(context, split->sheet, split->peaks[kind.peak], kind, &l, cut);
     ktg_free(l.from);
     ktg_free(l.to);
     ktg_free(l.forbidden);
@@ -198,22 +219,31 @@ static ktg_status cut_lines(ktg_context *context, const ktg_split *split, int pe
 
 /* ---- by a value of each face --------------------------------------------------------------- */
 
-static ktg_status cut_between(ktg_context *context, const ktg_split *split,
-                              const ktg_vec3 *vectors, ktg_vec3 axis, double part, bool *cut) {
-    const uint32_t face_count = split->sheet->mesh->face_count;
+static ktg_status cut_between(ktg_context *context, const ktg_sheet *sheet,
+                              const ktg_vec3 *vectors, ktg_vec3 axis, double part, bool *cut,
+                              double *at) {
+    const uint32_t face_count = sheet->mesh->face_count;
     double *value = ktg_new(context, face_count, double);
     bool *side = ktg_new(context, face_count, bool);
     ktg_status status = value && side ? KTG_OK : KTG_MEMORY;
     if (status == KTG_OK) {
         for (uint32_t f = 0; f < face_count; f++)
             value[f] = ktg_dot3(vectors[f], axis);
-        status = ktg_label_by_value(context, split->sheet, value, part, side);
+        status = ktg_label_by_value(context, sheet, value, part, side, at);
     }
     if (status == KTG_OK)
-        ktg_label_edges(split->sheet, side, cut);
+        ktg_label_edges(sheet, side, cut);
     ktg_free(value);
     ktg_free(side);
     return status;
+}
+
+static ktg_status cut_plane(ktg_context *context, const ktg_split *split, ktg_vec3 axis, bool *cut,
+                            double *cost) {
+    double at;
+    KTG_TRY(cut_between(context, split->sheet, split->centres, axis, 0.5, cut, &at));
+    ktg_plane_cost(split->sheet, axis, at, cost);
+    return KTG_OK;
 }
 
 static void cut_creases(const ktg_sheet *s, bool *cut) {
@@ -227,20 +257,25 @@ static void cut_creases(const ktg_sheet *s, bool *cut) {
     }
 }
 
-ktg_status ktg_split_make(ktg_context *context, const ktg_split *split, uint32_t way, bool *cut) {
+ktg_status ktg_split_make(ktg_context *context, const ktg_split *split, uint32_t way, bool *cut,
+                          double *cost) {
     static const ktg_vec3 world[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    static const line_kind kinds[] = {{0, 0, false}, {0, 1, false}, {0, 2, false},
+                                      {0, 0, true},  {1, 0, false}, {1, 0, true}};
+    double at;
     if (way < 6)
-        return cut_lines(context, split, (int)way / 2, way % 2 == 1, cut);
+        return cut_lines(context, split, kinds[way], cut);
     if (way < 9)
-        return cut_between(context, split, split->centres, split->extents[way - 6], 0.5, cut);
+        return cut_plane(context, split, split->extents[way - 6], cut, cost);
     if (way < 12)
-        return cut_between(context, split, split->centres, world[way - 9], 0.5, cut);
-    if (way < 14)
-        return cut_between(context, split, split->normals, split->facing[way - 12], 0, cut);
-    if (way == 14)
+        return cut_plane(context, split, world[way - 9], cut, cost);
+    if (way < 17)
+        return cut_between(context, split->sheet, split->normals,
+                           way < 14 ? split->facing[way - 12] : world[way - 14], 0, cut, &at);
+    if (way == 17)
         cut_creases(split->sheet, cut);
     else
         for (int k = 0; k < 2; k++)
-            KTG_TRY(cut_lines(context, split, k, false, cut));
+            KTG_TRY(cut_lines(context, split, kinds[4 * k], cut));
     return KTG_OK;
 }

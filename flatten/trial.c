@@ -2,6 +2,8 @@
 #include "core/memory.h"
 #include "flatten/sheet.h"
 
+#include <math.h>
+
 static ktg_status add_parts(ktg_context *context, const ktg_cut_surface *parts,
                             ktg_fit_limit *limit, ktg_trial *trial) {
     for (uint32_t p = 0; p < parts->count; p++) {
@@ -11,6 +13,8 @@ static ktg_status add_parts(ktg_context *context, const ktg_cut_surface *parts,
         trial->excess += fit.excess;
         trial->beyond_area += fit.beyond * fit.area;
         trial->good &= fit.good;
+        trial->shape += ktg_fit_shape(&fit);
+        trial->least_area = trial->panels ? fmin(trial->least_area, fit.area) : fit.area;
         trial->panels++;
     }
     return KTG_OK;
