@@ -96,3 +96,21 @@ void ktg_chains_free(ktg_chains *chains) {
     ktg_free(chains->edges);
     *chains = (ktg_chains){0};
 }
+
+static bool ends_inside(const ktg_sheet *s, const ktg_chains *chains, uint32_t chain, uint32_t v) {
+    if (s->border[v])
+        return false;
+    for (uint32_t i = 0; i < chains->count; i++)
+        for (int k = 0; k < 2; k++)
+            if (chains->chains[i].ends[k] == v && (i != chain || chains->chains[i].ends[1 - k] == v))
+                return false;
+    return true;
+}
+
+uint32_t ktg_chains_darts(const ktg_sheet *sheet, const ktg_chains *chains) {
+    uint32_t darts = 0;
+    for (uint32_t i = 0; i < chains->count; i++)
+        for (int k = 0; k < 2; k++)
+            darts += ends_inside(sheet, chains, i, chains->chains[i].ends[k]);
+    return darts;
+}

@@ -144,6 +144,6 @@ void ktg_plane_cost(const ktg_sheet *sheet, ktg_vec3 normal, double offset, doub
             ktg_vec3 p = sheet->mesh->positions[sheet->ends[2 * (size_t)e + k]];
             away += fabs(ktg_dot3(normal, p) - offset) / (2 * sheet->mean_edge);
         }
-        cost[e] = sheet->length[e] * (1 + away * away);
+        cost[e] = sheet->length[e] * (1 + 4 * away * away);
     }
 }

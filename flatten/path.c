@@ -118,7 +118,7 @@ ktg_status ktg_path_distances(ktg_context *context, const ktg_sheet *sheet, cons
 /* ---- paths that bend little ---------------------------------------------------------------- */
 
 /* What a turn by one radian costs, as part of the mean edge. */
-static const double bend_cost = 1;
+static const double bend_cost = 0.5;
 
 /* A state is an edge taken in one direction: 2 e towards its second end, 2 e + 1 towards its
  * first. */

@@ -43,4 +43,13 @@ KTG_NODISCARD ktg_status ktg_seams_auto(ktg_context *context, const ktg_mesh *me
 KTG_NODISCARD ktg_status ktg_seams_open(ktg_context *context, const ktg_mesh *mesh,
                                         const ktg_adjacency *adjacency, bool *cut);
 
+/* Moves vertices along the surface so that seams run smoothly, which edges between vertices as they
+ * are cannot. fixed (edge_count, or NULL): seams that stay as they are. Faces and edges stay the
+ * same ones; vertices on borders, at creases, where seams meet or end, and far from seams, do not
+ * move, and no other one leaves the surface as it was. *largest (or NULL): the furthest that one
+ * moved. On failure the mesh is as it was. */
+KTG_NODISCARD ktg_status ktg_seams_slide(ktg_context *context, ktg_mesh *mesh,
+                                         const ktg_adjacency *adjacency, const bool *cut,
+                                         const bool *fixed, double *largest);
+
 #endif

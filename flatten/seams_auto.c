@@ -23,6 +23,12 @@ static const double least_cost = 0.4, small_cost = 1, small_part = 0.06;
  * seams made equally long, strains a little more. */
 static const double spare = 0.9;
 
+/* A dart, as length of seam in square roots of the area of the surface. */
+static const double dart_cost = 0.15;
+
+/* Searches that begin differently. */
+enum { attempts = 8 };
+
 /* A cut that takes away less than this part of the excess is not worth making. */
 static const double least_gain = 0.03;
 
@@ -36,6 +42,9 @@ typedef struct auto_search {
     bool *done;        /* face_count: its panel fits, or cannot be helped */
     ktg_fit_limit limit;
     bool exhausted;
+    uint32_t first_rank; /* which way is taken at the first cut: the best, the second best, ... */
+    bool lines_last;     /* darts and the like only where nothing else helps */
+    bool begun;          /* the first cut is made */
 } auto_search;
 
 /* ---- ways to cut one panel ----------------------------------------------------------------- */
@@ -102,20 +111,38 @@ static double rate(const ktg_sheet *sheet, const ktg_trial *before, const ktg_tr
     return (after->good ? 2 : 1) * gain / (least_cost + length + shape + small);
 }
 
-static const way *best_way(const ways *w, const ktg_trial *before) {
+/* The best way below a rate; of all, or without lines. */
+static const way *next_way(const ways *w, const ktg_trial *before, double below,
+                           bool no_lines) {
     const way *best = NULL;
     double highest = 0;
     for (uint32_t i = 0; i < ktg_split_ways; i++) {
         const way *one = &w->list[i];
-        if (!one->cut || (!one->trial.good && one->trial.excess > (1 - least_gain) * before->excess))
+        if (!one->cut || (no_lines && ktg_split_is_line(i)) ||
+            (!one->trial.good && one->trial.excess > (1 - least_gain) * before->excess))
             continue;
         double its = rate(w->sheet, before, &one->trial);
-        if (!best || its > highest) {
+        if (its < below && its > highest) {
             best = one;
             highest = its;
         }
     }
     return best;
+}
+
+/* The best; at the first cut the one of the rank that is asked for, if there are so many. */
+static const way *choose_way(auto_search *s, const ways *w, const ktg_trial *before) {
+    uint32_t rank = s->begun ? 0 : s->first_rank;
+    const way *best = next_way(w, before, INFINITY, s->lines_last);
+    for (; best && rank > 0; rank--) {
+        const way *next =
+            next_way(w, before, rate(w->sheet, before, &best->trial), s->lines_last);
+        if (!next)
+            break;
+        best = next;
+    }
+    s->begun = true;
+    return best ? best : next_way(w, before, INFINITY, false);
 }
 
 /* ---- one panel ----------------------------------------------------------------------------- */
@@ -139,7 +166,7 @@ static ktg_status cut_panel(ktg_context *context, auto_search *s, const ktg_cut_
     ktg_status status = ktg_split_new(context, sheet, &w.split);
     if (status == KTG_OK)
         status = ktg_parallel_run(context, ktg_split_ways, try_way, &w);
-    const way *best = status == KTG_OK ? best_way(&w, before) : NULL;
+    const way *best = status == KTG_OK ? choose_way(s, &w, before) : NULL;
     if (best)
         carry(s, part, sheet, best->cut);
     else
@@ -225,7 +252,6 @@ static ktg_status refine(ktg_context *context, auto_search *s, bool half) {
 
 /* One half, then the other with the same seams. */
 static ktg_status refine_mirrored(ktg_context *context, auto_search *s) {
-    KTG_TRY(ktg_mirror_cut(context, s->sheet, &s->mirror, s->plane));
     memcpy(s->cut, s->plane, s->adjacency->edge_count * sizeof *s->cut);
     KTG_TRY(refine(context, s, true));
     return ktg_mirror_seams(context, s->sheet, &s->mirror, s->plane, s->cut);
@@ -243,14 +269,78 @@ static ktg_status revise(ktg_context *context, auto_search *s) {
     return ktg_seams_merge(context, &revision, s->cut);
 }
 
-static ktg_status search_seams(ktg_context *context, auto_search *s) {
-    if (s->options->symmetric && !any(s->given, s->adjacency->edge_count))
-        KTG_TRY(ktg_mirror_find(context, s->sheet, &s->mirror));
+/* ---- attempts ------------------------------------------------------------------------------ */
+
+/* What came of an attempt. */
+typedef struct outcome {
+    uint32_t beyond; /* panels that do not fit */
+    double awkward;  /* shapes of panels, darts, and length of seams */
+} outcome;
+
+static ktg_status judge(ktg_context *context, auto_search *s, outcome *o) {
+    ktg_cut_surface parts;
+    ktg_chains chains;
+    *o = (outcome){0, 0};
+    KTG_TRY(ktg_chains_find(context, s->sheet, s->cut, NULL, &chains));
+    for (uint32_t c = 0; c < chains.count; c++)
+        o->awkward += chains.chains[c].length / sqrt(s->sheet->area);
+    o->awkward += dart_cost * ktg_chains_darts(s->sheet, &chains);
+    ktg_chains_free(&chains);
+    KTG_TRY(ktg_cut_apart(context, &s->mesh, s->adjacency, s->cut, &parts));
+    ktg_status status = KTG_OK;
+    for (uint32_t p = 0; status == KTG_OK && p < parts.count; p++) {
+        ktg_fit fit = {0};
+        status = ktg_fit_measure(context, parts.panels[p].mesh, &s->limit, &fit);
+        o->beyond += !fit.good;
+        o->awkward += ktg_fit_shape(&fit);
+    }
+    ktg_cut_surface_free(&parts);
+    return status;
+}
+
+static ktg_status attempt(ktg_context *context, auto_search *s, outcome *o) {
+    memcpy(s->cut, s->given, s->adjacency->edge_count * sizeof *s->cut);
+    memset(s->done, 0, s->mesh.face_count * sizeof *s->done);
+    s->begun = false;
     if (s->mirror.found)
         KTG_TRY(refine_mirrored(context, s));
     KTG_TRY(refine(context, s, false));
     KTG_TRY(ktg_sheet_open(context, &s->mesh, s->adjacency, s->cut));
-    return revise(context, s);
+    KTG_TRY(revise(context, s));
+    return judge(context, s, o);
+}
+
+/* What a greedy search finds depends on its first step most of all: several are tried, with and
+ * without darts, as long as there is work left. */
+static ktg_status try_all(ktg_context *context, auto_search *s, bool *best) {
+    outcome least = {UINT32_MAX, INFINITY};
+    for (uint32_t i = 0; i < attempts && (i == 0 || may_go_on(context, s)); i++) {
+        outcome its;
+        s->first_rank = i / 2;
+        s->lines_last = i % 2 == 0;
+        KTG_TRY(attempt(context, s, &its));
+#ifdef SEAMS_TRACE
+        printf("attempt %u: beyond %u awkward %.3f work %.2fM\n", i, its.beyond, its.awkward, s->limit.work / 1e6);
+#endif
+        if (its.beyond > least.beyond ||
+            (its.beyond == least.beyond && !(its.awkward < least.awkward)))
+            continue;
+        least = its;
+        memcpy(best, s->cut, s->adjacency->edge_count * sizeof *best);
+    }
+    memcpy(s->cut, best, s->adjacency->edge_count * sizeof *best);
+    return KTG_OK;
+}
+
+static ktg_status search_seams(ktg_context *context, auto_search *s) {
+    if (s->options->symmetric && !any(s->given, s->adjacency->edge_count))
+        KTG_TRY(ktg_mirror_find(context, s->sheet, &s->mirror));
+    if (s->mirror.found)
+        KTG_TRY(ktg_mirror_cut(context, s->sheet, &s->mirror, s->plane));
+    bool *best = ktg_new(context, s->adjacency->edge_count, bool);
+    ktg_status status = best ? try_all(context, s, best) : KTG_MEMORY;
+    ktg_free(best);
+    return status;
 }
 
 /* ---- the whole ----------------------------------------------------------------------------- */
@@ -276,6 +366,8 @@ static ktg_status fill_report(ktg_context *context, auto_search *s, double unit,
         status = ktg_chains_find(context, s->sheet, s->cut, NULL, &chains);
     for (uint32_t c = 0; status == KTG_OK && c < chains.count; c++)
         report->seam_length += chains.chains[c].length * unit;
+    if (status == KTG_OK)
+        report->darts = ktg_chains_darts(s->sheet, &chains);
     ktg_chains_free(&chains);
     return status;
 }

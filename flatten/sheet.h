@@ -107,7 +107,13 @@ KTG_NODISCARD ktg_status ktg_chains_find(ktg_context *context, const ktg_sheet *
                                          const bool *cut, const bool *fixed, ktg_chains *chains);
 void ktg_chains_free(ktg_chains *chains);
 
+/* Ends of runs in the middle of a panel. The chains are those of all seams. */
+uint32_t ktg_chains_darts(const ktg_sheet *sheet, const ktg_chains *chains);
+
 /* ---- smooth.c ----------------------------------------------------------------------------- */
+
+/* Takes short wiggles out of a line; its ends stay. */
+void ktg_line_smooth(ktg_vec3 *points, uint32_t count);
 
 /* Leads a run of seams anew, so that it is short by `cost` (edge_count) and bends little, without
  * leaving its neighbourhood or touching another seam; an end on the border may move along it. */
@@ -192,6 +198,11 @@ KTG_NODISCARD ktg_status ktg_trial_run(ktg_context *context, const ktg_sheet *sh
 
 /* Number of ways that ktg_split_make knows. */
 enum { ktg_split_ways = 19 };
+
+/* Is the way a dart or a cut through a point, and not a line between two regions? */
+static inline bool ktg_split_is_line(uint32_t way) {
+    return way < 6 || way == 18;
+}
 
 /* What the ways are made from. */
 typedef struct ktg_split ktg_split;

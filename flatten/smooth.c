@@ -8,6 +8,10 @@
 /* How far a seam may move: edges, or part of its length where that is more. */
 static const double reach_edges = 2.5, reach_length = 0.1;
 
+/* Rounds in which a line's points move half way to the middle between their neighbours: wiggles of
+ * less than about ten edges are gone then. */
+enum { line_rounds = 40 };
+
 /* A piece of a run that is led anew. */
 typedef struct stretch {
     const ktg_sheet *sheet;
@@ -101,6 +105,101 @@ static ktg_status find_corridor(ktg_context *context, stretch *s) {
     return KTG_OK;
 }
 
+/* ---- the line that edges should follow ----------------------------------------------------- */
+
+void ktg_line_smooth(ktg_vec3 *points, uint32_t count) {
+    for (int round = 0; round < line_rounds; round++) {
+        ktg_vec3 before = points[0];
+        for (uint32_t i = 1; i + 1 < count; i++) {
+            ktg_vec3 here = points[i];
+            ktg_vec3 middle = ktg_mul3(ktg_add3(before, points[i + 1]), 0.5);
+            points[i] = ktg_mul3(ktg_add3(here, middle), 0.5);
+            before = here;
+        }
+    }
+}
+
+static double distance_from_line(ktg_vec3 p, const ktg_vec3 *points, uint32_t count) {
+    double least = INFINITY;
+    for (uint32_t i = 0; i + 1 < count; i++) {
+        ktg_vec3 along = ktg_sub3(points[i + 1], points[i]), from = ktg_sub3(p, points[i]);
+        double t = ktg_dot3(from, along) / ktg_max(1e-300, ktg_dot3(along, along));
+        ktg_vec3 away = ktg_madd3(from, -ktg_max(0, ktg_min(1, t)), along);
+        least = ktg_min(least, ktg_dot3(away, away));
+    }
+    return sqrt(least);
+}
+
+/* Edges cost more the further from the line they run. Of no account where the path may not go. */
+static void set_line_cost(const stretch *s, const ktg_vec3 *points, uint32_t count, double *away,
+                          double *cost) {
+    const ktg_sheet *sheet = s->sheet;
+    for (uint32_t v = 0; v < sheet->mesh->vertex_count; v++)
+        away[v] = s->forbidden[v] && !s->from[v] && !s->to[v]
+                      ? INFINITY
+                      : distance_from_line(sheet->mesh->positions[v], points, count);
+    for (uint32_t e = 0; e < sheet->edge_count; e++) {
+        double mean = (away[sheet->ends[2 * (size_t)e]] + away[sheet->ends[2 * (size_t)e + 1]]) / 2;
+        double edges = ktg_min(1e3, mean / sheet->mean_edge);
+        cost[e] = sheet->length[e] * (1 + 4 * edges * edges);
+    }
+}
+
+/* Fills the points of a path; *end: its last vertex. */
+static void list_points(const ktg_sheet *sheet, const uint32_t *edges, uint32_t count,
+                        uint32_t start, ktg_vec3 *points, uint32_t *end) {
+    points[0] = sheet->mesh->positions[start];
+    for (uint32_t i = 0; i < count; i++) {
+        start = ktg_sheet_other_end(sheet, edges[i], start);
+        points[i + 1] = sheet->mesh->positions[start];
+    }
+    *end = start;
+}
+
+/* The first vertex of a path of at least one edge. */
+static uint32_t path_start(const stretch *s, uint32_t count) {
+    const uint32_t *first = s->sheet->ends + 2 * (size_t)s->edges[0];
+    if (count == 1)
+        return s->from[first[0]] ? first[0] : first[1];
+    const uint32_t *second = s->sheet->ends + 2 * (size_t)s->edges[1];
+    return first[0] == second[0] || first[0] == second[1] ? first[1] : first[0];
+}
+
+static ktg_status follow_line(ktg_context *context, stretch *s, ktg_vec3 *points, double *away,
+                              double *cost, uint32_t *count) {
+    uint32_t start = path_start(s, *count), end;
+    list_points(s->sheet, s->edges, *count, start, points, &end);
+    ktg_line_smooth(points, *count + 1);
+    memset(s->from, 0, s->sheet->mesh->vertex_count * sizeof *s->from);
+    memset(s->to, 0, s->sheet->mesh->vertex_count * sizeof *s->to);
+    s->from[start] = s->to[end] = true;
+    set_line_cost(s, points, *count + 1, away, cost);
+    ktg_path_query query = {.sheet = s->sheet,
+                            .cost = cost,
+                            .from = s->from,
+                            .to = s->to,
+                            .forbidden = s->forbidden,
+                            .straight_on = KTG_NONE};
+    return ktg_path_find(context, &query, s->edges, count);
+}
+
+/* A path by edges alone has few bends but far ones; what it means is the smooth line along it, and
+ * that is followed closely. */
+static ktg_status straighten(ktg_context *context, stretch *s, uint32_t *count) {
+    if (*count < 3)
+        return KTG_OK;
+    ktg_vec3 *points = ktg_new(context, (size_t)*count + 1, ktg_vec3);
+    double *away = ktg_new(context, s->sheet->mesh->vertex_count, double);
+    double *cost = ktg_new(context, s->sheet->edge_count, double);
+    ktg_status status = KTG_MEMORY;
+    if (points && away && cost)
+        status = follow_line(context, s, points, away, cost, count);
+    ktg_free(points);
+    ktg_free(away);
+    ktg_free(cost);
+    return status;
+}
+
 /* The old edges are out of `cut` meanwhile. */
 static ktg_status lead_anew(ktg_context *context, stretch *s, uint32_t *count) {
     *count = 0;
@@ -113,7 +212,8 @@ static ktg_status lead_anew(ktg_context *context, stretch *s, uint32_t *count) {
                             .to = s->to,
                             .forbidden = s->forbidden,
                             .straight_on = KTG_NONE};
-    return ktg_path_find(context, &query, s->edges, count);
+    KTG_TRY(ktg_path_find(context, &query, s->edges, count));
+    return straighten(context, s, count);
 }
 
 static ktg_status smooth_stretch(ktg_context *context, stretch *s) {
