@@ -97,20 +97,29 @@ void ktg_chains_free(ktg_chains *chains) {
     *chains = (ktg_chains){0};
 }
 
-static bool ends_inside(const ktg_sheet *s, const ktg_chains *chains, uint32_t chain, uint32_t v) {
-    if (s->border[v])
-        return false;
+/* Ends at v of all runs, that one included. */
+static uint32_t ends_at(const ktg_chains *chains, uint32_t v) {
+    uint32_t count = 0;
     for (uint32_t i = 0; i < chains->count; i++)
         for (int k = 0; k < 2; k++)
-            if (chains->chains[i].ends[k] == v && (i != chain || chains->chains[i].ends[1 - k] == v))
-                return false;
-    return true;
+            count += chains->chains[i].ends[k] == v;
+    return count;
+}
+
+static uint32_t count_ends(const ktg_sheet *sheet, const ktg_chains *chains, bool alone) {
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < chains->count; i++)
+        for (int k = 0; k < 2; k++) {
+            uint32_t v = chains->chains[i].ends[k];
+            count += !sheet->border[v] && (ends_at(chains, v) == 1) == alone;
+        }
+    return count;
 }
 
 uint32_t ktg_chains_darts(const ktg_sheet *sheet, const ktg_chains *chains) {
-    uint32_t darts = 0;
-    for (uint32_t i = 0; i < chains->count; i++)
-        for (int k = 0; k < 2; k++)
-            darts += ends_inside(sheet, chains, i, chains->chains[i].ends[k]);
-    return darts;
+    return count_ends(sheet, chains, true);
+}
+
+uint32_t ktg_chains_corners(const ktg_sheet *sheet, const ktg_chains *chains) {
+    return count_ends(sheet, chains, false);
 }

@@ -13,6 +13,7 @@ typedef struct ktg_seams_auto_options {
     double max_strain; /* that a panel may have on ... ; default 0.05 */
     double area_part;  /* ... this part of its area; default 0.95 */
     bool symmetric;    /* look for a mirror plane, and cut both sides alike; default true */
+    bool slide;        /* judge the surface as ktg_seams_slide will leave it; default true */
 } ktg_seams_auto_options;
 
 void ktg_seams_auto_defaults(ktg_seams_auto_options *options);

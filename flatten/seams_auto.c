@@ -21,10 +21,11 @@ static const double least_cost = 0.4, small_cost = 1, small_part = 0.06;
 
 /* Of the area that may be beyond the limit, the part that the search makes use of: what comes after,
  * seams made equally long, strains a little more. */
-static const double spare = 0.9;
+static const double spare = 0.85;
 
-/* A dart, as length of seam in square roots of the area of the surface. */
-static const double dart_cost = 0.15;
+/* A dart, and an end of a seam at another one, as length of seam in square roots of the area of the
+ * surface. */
+static const double dart_cost = 0.15, corner_cost = 0.05;
 
 /* Searches that begin differently. */
 enum { attempts = 8 };
@@ -101,14 +102,14 @@ static ktg_status try_way(ktg_context *context, uint32_t index, void *user) {
     return KTG_OK;
 }
 
-/* Excess taken away for what it costs: seams, and panels that are awkward or small. What makes
- * everything fit counts twice. */
+/* How many times less excess there is, as a logarithm, for what that costs: seams, and panels that
+ * are awkward or small. When everything fits there is next to none. */
 static double rate(const ktg_sheet *sheet, const ktg_trial *before, const ktg_trial *after) {
-    double gain = (before->excess - after->excess) / sheet->area;
+    double none = 0.02 * sheet->area, left = after->good ? none : after->excess + none;
     double length = ktg_max(0, after->length - before->length) / sqrt(sheet->area);
     double shape = ktg_max(0, after->shape - before->shape);
     double small = after->least_area < small_part * sheet->area && after->panels > 1 ? small_cost : 0;
-    return (after->good ? 2 : 1) * gain / (least_cost + length + shape + small);
+    return log((before->excess + none) / left) / (least_cost + length + shape + small);
 }
 
 /* The best way below a rate; of all, or without lines. */
@@ -136,7 +137,7 @@ static const way *choose_way(auto_search *s, const ways *w, const ktg_trial *bef
     const way *best = next_way(w, before, INFINITY, s->lines_last);
     for (; best && rank > 0; rank--) {
         const way *next =
-            next_way(w, before, rate(w->sheet, before, &best->trial), s->lines_last);
+            next_way(w, before, 0.97 * rate(w->sheet, before, &best->trial), s->lines_last);
         if (!next)
             break;
         best = next;
@@ -274,27 +275,56 @@ static ktg_status revise(ktg_context *context, auto_search *s) {
 /* What came of an attempt. */
 typedef struct outcome {
     uint32_t beyond; /* panels that do not fit */
+    double worst;    /* of them the largest part of the area beyond */
     double awkward;  /* shapes of panels, darts, and length of seams */
 } outcome;
 
-static ktg_status judge(ktg_context *context, auto_search *s, outcome *o) {
-    ktg_cut_surface parts;
+static ktg_status judge_seams(ktg_context *context, const auto_search *s, outcome *o) {
     ktg_chains chains;
-    *o = (outcome){0, 0};
     KTG_TRY(ktg_chains_find(context, s->sheet, s->cut, NULL, &chains));
     for (uint32_t c = 0; c < chains.count; c++)
         o->awkward += chains.chains[c].length / sqrt(s->sheet->area);
     o->awkward += dart_cost * ktg_chains_darts(s->sheet, &chains);
+    o->awkward += corner_cost * ktg_chains_corners(s->sheet, &chains);
     ktg_chains_free(&chains);
-    KTG_TRY(ktg_cut_apart(context, &s->mesh, s->adjacency, s->cut, &parts));
+    return KTG_OK;
+}
+
+static ktg_status judge_panels(ktg_context *context, auto_search *s, const ktg_mesh *mesh,
+                               outcome *o) {
+    ktg_cut_surface parts;
+    KTG_TRY(ktg_cut_apart(context, mesh, s->adjacency, s->cut, &parts));
     ktg_status status = KTG_OK;
     for (uint32_t p = 0; status == KTG_OK && p < parts.count; p++) {
         ktg_fit fit = {0};
         status = ktg_fit_measure(context, parts.panels[p].mesh, &s->limit, &fit);
         o->beyond += !fit.good;
+        o->worst = ktg_max(o->worst, fit.beyond);
         o->awkward += ktg_fit_shape(&fit);
+        o->awkward += fit.area < small_part / 2 * s->sheet->area ? small_cost : 0;
     }
     ktg_cut_surface_free(&parts);
+    return status;
+}
+
+/* By the limit that was asked for, and as ktg_seams_slide will leave the surface. */
+static ktg_status judge(ktg_context *context, auto_search *s, outcome *o) {
+    ktg_mesh slid = s->mesh;
+    double searched = s->limit.area_part;
+    *o = (outcome){0};
+    KTG_TRY(judge_seams(context, s, o));
+    slid.positions =
+        ktg_copy_array(context, s->mesh.positions, s->mesh.vertex_count, sizeof(ktg_vec3));
+    if (!slid.positions)
+        return KTG_MEMORY;
+    ktg_status status = KTG_OK;
+    if (s->options->slide)
+        status = ktg_seams_slide(context, &slid, s->adjacency, s->cut, s->given, NULL);
+    s->limit.area_part = s->options->area_part;
+    if (status == KTG_OK)
+        status = judge_panels(context, s, &slid, o);
+    s->limit.area_part = searched;
+    ktg_free(slid.positions);
     return status;
 }
 
@@ -313,7 +343,7 @@ static ktg_status attempt(ktg_context *context, auto_search *s, outcome *o) {
 /* What a greedy search finds depends on its first step most of all: several are tried, with and
  * without darts, as long as there is work left. */
 static ktg_status try_all(ktg_context *context, auto_search *s, bool *best) {
-    outcome least = {UINT32_MAX, INFINITY};
+    outcome least = {UINT32_MAX, 1, INFINITY};
     for (uint32_t i = 0; i < attempts && (i == 0 || may_go_on(context, s)); i++) {
         outcome its;
         s->first_rank = i / 2;
@@ -348,28 +378,22 @@ static ktg_status search_seams(ktg_context *context, auto_search *s) {
 static ktg_status fill_report(ktg_context *context, auto_search *s, double unit,
                               ktg_seams_report *report) {
     ktg_cut_surface parts;
+    ktg_chains chains;
+    outcome its;
+    KTG_TRY(judge(context, s, &its));
     KTG_TRY(ktg_cut_apart(context, &s->mesh, s->adjacency, s->cut, &parts));
-    ktg_status status = KTG_OK;
     *report = (ktg_seams_report){.panels = parts.count,
+                                 .panels_beyond = its.beyond,
+                                 .worst_area_beyond = its.worst,
                                  .mirrored = s->mirror.found,
                                  .exhausted = s->exhausted};
-    s->limit.area_part = s->options->area_part;
-    for (uint32_t p = 0; status == KTG_OK && p < parts.count; p++) {
-        ktg_fit fit = {0};
-        status = ktg_fit_measure(context, parts.panels[p].mesh, &s->limit, &fit);
-        report->panels_beyond += !fit.good;
-        report->worst_area_beyond = ktg_max(report->worst_area_beyond, fit.beyond);
-    }
     ktg_cut_surface_free(&parts);
-    ktg_chains chains = {0};
-    if (status == KTG_OK)
-        status = ktg_chains_find(context, s->sheet, s->cut, NULL, &chains);
-    for (uint32_t c = 0; status == KTG_OK && c < chains.count; c++)
+    KTG_TRY(ktg_chains_find(context, s->sheet, s->cut, NULL, &chains));
+    for (uint32_t c = 0; c < chains.count; c++)
         report->seam_length += chains.chains[c].length * unit;
-    if (status == KTG_OK)
-        report->darts = ktg_chains_darts(s->sheet, &chains);
+    report->darts = ktg_chains_darts(s->sheet, &chains);
     ktg_chains_free(&chains);
-    return status;
+    return KTG_OK;
 }
 
 static ktg_status start_search(ktg_context *context, const ktg_panel *whole, const bool *cut,
@@ -401,7 +425,7 @@ static ktg_status run_search(ktg_context *context, const ktg_mesh *mesh, auto_se
 }
 
 void ktg_seams_auto_defaults(ktg_seams_auto_options *options) {
-    *options = (ktg_seams_auto_options){.max_strain = 0.05, .area_part = 0.95, .symmetric = true};
+    *options = (ktg_seams_auto_options){.max_strain = 0.05, .area_part = 0.95, .symmetric = true, .slide = true};
 }
 
 ktg_status ktg_seams_auto(ktg_context *context, const ktg_mesh *mesh,

@@ -109,6 +109,8 @@ void ktg_chains_free(ktg_chains *chains);
 
 /* Ends of runs in the middle of a panel. The chains are those of all seams. */
 uint32_t ktg_chains_darts(const ktg_sheet *sheet, const ktg_chains *chains);
+/* Ends of runs where they meet others, inside. */
+uint32_t ktg_chains_corners(const ktg_sheet *sheet, const ktg_chains *chains);
 
 /* ---- smooth.c ----------------------------------------------------------------------------- */
 

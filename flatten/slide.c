@@ -13,7 +13,7 @@
 enum { rounds = 12, rings = 3, most_retreats = 12 };
 
 /* Vertices at a fold of this angle or more stay. */
-static const double crease = 30 * KTG_PI / 180;
+static const double crease = 45 * KTG_PI / 180;
 
 /* A face must keep this part of its shape, and not turn by more than this angle's cosine. */
 static const double least_shape = 0.15, least_cosine = 0.8;

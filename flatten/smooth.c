@@ -5,8 +5,9 @@
 
 #include <string.h>
 
-/* How far a seam may move: edges, or part of its length where that is more. */
-static const double reach_edges = 2.5, reach_length = 0.1;
+/* How far a seam may move: edges or, where that is more, part of its length and of the sheet's
+ * extent. */
+static const double reach_edges = 2.5, reach_length = 0.1, reach_extent = 0.06;
 
 /* Rounds in which a line's points move half way to the middle between their neighbours: wiggles of
  * less than about ten edges are gone then. */
@@ -24,8 +25,11 @@ typedef struct stretch {
     /* workspace: vertex_count each */
     bool *on, *from, *to, *forbidden;
     double *distance;
+    uint32_t *via;
+    double *along; /* where on the old run the nearest place is */
     uint32_t *edges;
     uint32_t *seams; /* seam edges at each vertex */
+    bool *open;      /* edge_count: edges that the new path may take */
 } stretch;
 
 static ktg_status take_memory(ktg_context *context, stretch *s) {
@@ -35,9 +39,13 @@ static ktg_status take_memory(ktg_context *context, stretch *s) {
     s->to = ktg_new(context, count, bool);
     s->forbidden = ktg_new(context, count, bool);
     s->distance = ktg_new(context, count, double);
+    s->via = ktg_new(context, count, uint32_t);
+    s->along = ktg_new(context, count, double);
     s->edges = ktg_new(context, count, uint32_t);
     s->seams = ktg_new(context, count, uint32_t);
-    return s->on && s->from && s->to && s->forbidden && s->distance && s->edges && s->seams
+    s->open = ktg_new(context, s->sheet->edge_count, bool);
+    return s->on && s->from && s->to && s->forbidden && s->distance && s->via && s->along &&
+                   s->edges && s->seams && s->open
                ? KTG_OK
                : KTG_MEMORY;
 }
@@ -48,8 +56,11 @@ static void free_memory(stretch *s) {
     ktg_free(s->to);
     ktg_free(s->forbidden);
     ktg_free(s->distance);
+    ktg_free(s->via);
+    ktg_free(s->along);
     ktg_free(s->edges);
     ktg_free(s->seams);
+    ktg_free(s->open);
 }
 
 static void set_edges(const stretch *s, const uint32_t *edges, uint32_t count, bool value) {
@@ -86,13 +97,44 @@ static bool ends_are_apart(const stretch *s) {
     return true;
 }
 
+/* The old run itself: its vertices, and how far along it each lies. */
+static void mark_old(stretch *s) {
+    uint32_t v = s->ends[0];
+    double along = 0;
+    memset(s->on, 0, s->sheet->mesh->vertex_count * sizeof *s->on);
+    s->on[v] = true;
+    s->along[v] = 0;
+    for (uint32_t i = 0; i < s->count; i++) {
+        v = ktg_sheet_other_end(s->sheet, s->old[i], v);
+        s->on[v] = true;
+        s->along[v] = along += s->sheet->length[s->old[i]];
+    }
+}
+
+/* Of a vertex within reach: by the way to the old run. */
+static double find_along(const stretch *s, uint32_t v) {
+    while (s->via[v] != KTG_NONE)
+        v = ktg_sheet_other_end(s->sheet, s->via[v], v);
+    return s->along[v];
+}
+
+/* Where the surface is thin, places that are far apart along the run are near each other: no way
+ * leads from one to the other. */
+static void open_edges(stretch *s) {
+    const ktg_sheet *sheet = s->sheet;
+    for (uint32_t e = 0; e < sheet->edge_count; e++) {
+        uint32_t a = sheet->ends[2 * (size_t)e], b = sheet->ends[2 * (size_t)e + 1];
+        s->open[e] = !ktg_sheet_is_border(sheet, e) && s->distance[a] <= s->reach &&
+                     s->distance[b] <= s->reach &&
+                     fabs(find_along(s, a) - find_along(s, b)) <= 2 * s->reach + sheet->length[e];
+    }
+}
+
 static ktg_status find_corridor(ktg_context *context, stretch *s) {
     const ktg_sheet *sheet = s->sheet;
-    memset(s->on, 0, sheet->mesh->vertex_count * sizeof *s->on);
-    for (uint32_t i = 0; i < s->count; i++)
-        s->on[sheet->ends[2 * (size_t)s->old[i]]] = s->on[sheet->ends[2 * (size_t)s->old[i] + 1]] =
-            true;
-    KTG_TRY(ktg_path_distances(context, sheet, sheet->length, s->on, s->distance, NULL));
+    mark_old(s);
+    KTG_TRY(ktg_path_distances(context, sheet, sheet->length, s->on, s->distance, s->via));
+    open_edges(s);
     count_seams(s);
     for (uint32_t v = 0; v < sheet->mesh->vertex_count; v++)
         s->forbidden[v] = s->distance[v] > s->reach || sheet->border[v] || s->seams[v] > 0;
@@ -130,6 +172,11 @@ static double distance_from_line(ktg_vec3 p, const ktg_vec3 *points, uint32_t co
     return sqrt(least);
 }
 
+/* Does the edge cost so much less than its length that it is one of a crease? Seams stay there. */
+static bool is_crease(const ktg_sheet *sheet, uint32_t edge) {
+    return sheet->cost[edge] < 0.75 * sheet->length[edge];
+}
+
 /* Edges cost more the further from the line they run. Of no account where the path may not go. */
 static void set_line_cost(const stretch *s, const ktg_vec3 *points, uint32_t count, double *away,
                           double *cost) {
@@ -141,7 +188,7 @@ static void set_line_cost(const stretch *s, const ktg_vec3 *points, uint32_t cou
     for (uint32_t e = 0; e < sheet->edge_count; e++) {
         double mean = (away[sheet->ends[2 * (size_t)e]] + away[sheet->ends[2 * (size_t)e + 1]]) / 2;
         double edges = ktg_min(1e3, mean / sheet->mean_edge);
-        cost[e] = sheet->length[e] * (1 + 4 * edges * edges);
+        cost[e] = is_crease(sheet, e) ? sheet->cost[e] : sheet->length[e] * (1 + 4 * edges * edges);
     }
 }
 
@@ -179,6 +226,7 @@ static ktg_status follow_line(ktg_context *context, stretch *s, ktg_vec3 *points
                             .from = s->from,
                             .to = s->to,
                             .forbidden = s->forbidden,
+                            .edges_only = s->open,
                             .straight_on = KTG_NONE};
     return ktg_path_find(context, &query, s->edges, count);
 }
@@ -211,6 +259,7 @@ static ktg_status lead_anew(ktg_context *context, stretch *s, uint32_t *count) {
                             .from = s->from,
                             .to = s->to,
                             .forbidden = s->forbidden,
+                            .edges_only = s->open,
                             .straight_on = KTG_NONE};
     KTG_TRY(ktg_path_find(context, &query, s->edges, count));
     return straighten(context, s, count);
@@ -244,7 +293,8 @@ ktg_status ktg_chain_smooth(ktg_context *context, const ktg_sheet *sheet, const 
     const uint32_t *edges = chains->edges + c->first;
     uint32_t middle = c->ends[0] == c->ends[1] ? c->count / 2 : c->count;
     stretch s = {.sheet = sheet, .cost = cost, .cut = cut, .old = edges, .count = middle};
-    s.reach = ktg_max(reach_edges * sheet->mean_edge, reach_length * c->length);
+    s.reach = ktg_max(reach_edges * sheet->mean_edge,
+                      ktg_min(reach_length * c->length, reach_extent * sqrt(sheet->area)));
     s.ends[0] = c->ends[0];
     s.ends[1] = vertex_at(sheet, edges, c->ends[0], middle);
     if (middle > 0)
