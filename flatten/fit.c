@@ -62,14 +62,18 @@ static ktg_status settle(ktg_context *context, fitting *f, ktg_fit *fit) {
         ktg_flatten_defaults(&options);
         options.method = KTG_FLATTEN_INJECTIVE;
         f->limit->work += 2 * (uint64_t)f->panel->face_count;
-        KTG_TRY(ktg_lay_flat(context, f->panel, &options, f->flat, &report));
+        ktg_status status = ktg_lay_flat(context, f->panel, &options, f->flat, &report);
+        if (status != KTG_OK && status != KTG_GEOMETRY)
+            return status;
         double waste = fit->waste;
         add_up(f, fit);
         fit->waste = waste;
         KTG_TRY(ktg_panel_find_crossing(context, f->panel, f->flat, &crossed, vertices));
         crossed |= ktg_panel_count_flipped(f->panel, f->flat) > 0;
     }
-    fit->good = !crossed && fit->beyond <= 1 - f->limit->area_part;
+    fit->known = true;
+    fit->flat = !crossed;
+    fit->good = fit->flat && fit->beyond <= 1 - f->limit->area_part;
     if (crossed)
         fit->excess += fit->area / 4;
     return KTG_OK;
@@ -105,7 +109,7 @@ static ktg_status measure(ktg_context *context, const ktg_mesh *mesh, fitting *f
             f->flat[v] = (ktg_vec2){0, 0};
     add_up(f, fit);
     KTG_TRY(find_waste(context, f, fit));
-    if (fit->beyond > 2 * (1 - f->limit->area_part))
+    if (!f->limit->thorough && fit->beyond > 2 * (1 - f->limit->area_part))
         return KTG_OK;
     return settle(context, f, fit);
 }

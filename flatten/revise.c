@@ -76,7 +76,8 @@ static void mark_panels(const revising *r, const ktg_cut_surface *parts, const u
 }
 
 typedef struct judgement {
-    bool good;
+    bool good;      /* disks that can be laid flat */
+    double failing; /* area that is beyond the limit and should not be */
     double awkward; /* panels' shapes and the seams' length */
 } judgement;
 
@@ -92,7 +93,8 @@ static ktg_status judge_panels(ktg_context *context, const revising *r,
         if (!marked[p])
             continue;
         KTG_TRY(recall(context, r, &parts->panels[p], &known));
-        j->good &= known->disk && known->fit.good;
+        j->good &= known->disk && known->fit.known && known->fit.flat;
+        j->failing += ktg_fit_failing(&known->fit, r->about->limit);
         j->awkward += ktg_fit_shape(&known->fit);
     }
     return KTG_OK;
@@ -110,7 +112,7 @@ static ktg_status judge(ktg_context *context, const revising *r, const bool *cut
                         const uint32_t *pair, judgement *j) {
     const ktg_sheet *s = r->about->sheet;
     ktg_cut_surface parts;
-    *j = (judgement){true, seam_length(s, cut) / r->unit};
+    *j = (judgement){true, 0, seam_length(s, cut) / r->unit};
     KTG_TRY(ktg_cut_apart(context, s->mesh, s->adjacency, cut, &parts));
     bool *marked = ktg_new(context, parts.count, bool);
     ktg_status status =
@@ -158,7 +160,8 @@ static ktg_status try_change(ktg_context *context, revising *r, change *make, co
     if (!after.good)
         return KTG_OK;
     KTG_TRY(judge(context, r, r->cut, pair, &before));
-    *kept = !before.good || after.awkward < before.awkward;
+    *kept = !before.good ||
+            (after.failing <= before.failing && after.awkward < before.awkward);
     if (*kept)
         memcpy(r->cut, r->trial, size);
     return KTG_OK;

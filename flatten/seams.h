@@ -13,7 +13,7 @@ typedef struct ktg_seams_auto_options {
     double max_strain; /* that a panel may have on ... ; default 0.05 */
     double area_part;  /* ... this part of its area; default 0.95 */
     bool symmetric;    /* look for a mirror plane, and cut both sides alike; default true */
-    bool slide;        /* judge the surface as ktg_seams_slide will leave it; default true */
+    bool slide;        /* reckon with ktg_seams_slide being called then; default true */
 } ktg_seams_auto_options;
 
 void ktg_seams_auto_defaults(ktg_seams_auto_options *options);
@@ -21,6 +21,7 @@ void ktg_seams_auto_defaults(ktg_seams_auto_options *options);
 typedef struct ktg_seams_report {
     uint32_t panels, darts;   /* of the whole surface; a dart is a seam that ends inside a panel */
     uint32_t panels_beyond;   /* that could not be brought within the limit */
+    bool slide;               /* ktg_seams_slide is to be called: panels fit then, too */
     bool mirrored;            /* a mirror plane was found and used */
     bool exhausted;           /* work ended at its bound, or the caller wanted to finish */
     double worst_area_beyond; /* of all panels the largest part of the area beyond max_strain */

@@ -15,6 +15,9 @@
 /* Faces laid flat in trials, at most: as many, or as many times the faces of the surface. */
 static const uint64_t most_work = 3000000, most_work_times = 60;
 
+/* Further attempts are made while all together lay less than this flat. */
+static const uint64_t most_attempt_work = 1500000;
+
 /* In square roots of the area of what is cut: what any cut costs, and what a panel smaller than
  * this part does. */
 static const double least_cost = 0.4, small_cost = 1, small_part = 0.06;
@@ -25,7 +28,10 @@ static const double spare = 0.85;
 
 /* A dart, and an end of a seam at another one, as length of seam in square roots of the area of the
  * surface. */
-static const double dart_cost = 0.15, corner_cost = 0.05;
+static const double dart_cost = 0.15, corner_cost = 0.12;
+
+/* Seams that cannot be slid smooth. */
+static const double rough_cost = 1;
 
 /* Searches that begin differently. */
 enum { attempts = 8 };
@@ -161,6 +167,37 @@ static void set_done(auto_search *s, const ktg_cut_panel *part) {
         s->done[part->face[f]] = true;
 }
 
+/* Can the panel be laid flat at all, however strained? */
+static ktg_status is_flat(ktg_context *context, auto_search *s, const ktg_cut_panel *part,
+                          bool *flat) {
+    ktg_sheet *sheet;
+    ktg_fit fit = {0};
+    KTG_TRY(ktg_sheet_new(context, part->mesh, NULL, &sheet));
+    *flat = false;
+    ktg_status status = KTG_OK;
+    s->limit.thorough = true;
+    if ((int64_t)part->mesh->vertex_count - sheet->edge_count + part->mesh->face_count == 1) {
+        status = ktg_fit_measure(context, part->mesh, &s->limit, &fit);
+        *flat = fit.flat;
+    }
+    s->limit.thorough = false;
+    ktg_sheet_free(&sheet);
+    return status;
+}
+
+/* Where no way gains anything, but the panel lies on itself: the one that leaves least excess in
+ * more than one part. */
+static const way *any_way(const ways *w) {
+    const way *best = NULL;
+    for (uint32_t i = 0; i < ktg_split_ways; i++) {
+        const way *one = &w->list[i];
+        if (one->cut && one->trial.panels > 1 &&
+            (!best || one->trial.excess < best->trial.excess))
+            best = one;
+    }
+    return best;
+}
+
 static ktg_status cut_panel(ktg_context *context, auto_search *s, const ktg_cut_panel *part,
                             const ktg_sheet *sheet, const ktg_trial *before) {
     ways w = {.search = s, .sheet = sheet};
@@ -168,6 +205,11 @@ static ktg_status cut_panel(ktg_context *context, auto_search *s, const ktg_cut_
     if (status == KTG_OK)
         status = ktg_parallel_run(context, ktg_split_ways, try_way, &w);
     const way *best = status == KTG_OK ? choose_way(s, &w, before) : NULL;
+    bool flat = true;
+    if (status == KTG_OK && !best)
+        status = is_flat(context, s, part, &flat);
+    if (status == KTG_OK && !flat)
+        best = any_way(&w);
     if (best)
         carry(s, part, sheet, best->cut);
     else
@@ -274,8 +316,10 @@ static ktg_status revise(ktg_context *context, auto_search *s) {
 
 /* What came of an attempt. */
 typedef struct outcome {
+    bool slid;       /* judged as ktg_seams_slide leaves the surface */
     uint32_t beyond; /* panels that do not fit */
-    double worst;    /* of them the largest part of the area beyond */
+    double failing;  /* area that is beyond the limit and should not be */
+    double worst;    /* of all panels the largest part of the area beyond */
     double awkward;  /* shapes of panels, darts, and length of seams */
 } outcome;
 
@@ -299,6 +343,7 @@ static ktg_status judge_panels(ktg_context *context, auto_search *s, const ktg_m
         ktg_fit fit = {0};
         status = ktg_fit_measure(context, parts.panels[p].mesh, &s->limit, &fit);
         o->beyond += !fit.good;
+        o->failing += ktg_fit_failing(&fit, &s->limit);
         o->worst = ktg_max(o->worst, fit.beyond);
         o->awkward += ktg_fit_shape(&fit);
         o->awkward += fit.area < small_part / 2 * s->sheet->area ? small_cost : 0;
@@ -307,24 +352,40 @@ static ktg_status judge_panels(ktg_context *context, auto_search *s, const ktg_m
     return status;
 }
 
-/* By the limit that was asked for, and as ktg_seams_slide will leave the surface. */
-static ktg_status judge(ktg_context *context, auto_search *s, outcome *o) {
+static ktg_status judge_slid(ktg_context *context, auto_search *s, outcome *o) {
     ktg_mesh slid = s->mesh;
-    double searched = s->limit.area_part;
-    *o = (outcome){0};
-    KTG_TRY(judge_seams(context, s, o));
     slid.positions =
         ktg_copy_array(context, s->mesh.positions, s->mesh.vertex_count, sizeof(ktg_vec3));
     if (!slid.positions)
         return KTG_MEMORY;
-    ktg_status status = KTG_OK;
-    if (s->options->slide)
-        status = ktg_seams_slide(context, &slid, s->adjacency, s->cut, s->given, NULL);
-    s->limit.area_part = s->options->area_part;
+    ktg_status status =
+        ktg_seams_slide(context, &slid, s->adjacency, s->cut, s->given, NULL);
     if (status == KTG_OK)
         status = judge_panels(context, s, &slid, o);
-    s->limit.area_part = searched;
     ktg_free(slid.positions);
+    return status;
+}
+
+/* As ktg_seams_slide will leave the surface, unless that spoils what fits without. */
+static ktg_status judge_both(ktg_context *context, auto_search *s, outcome *o) {
+    outcome slid = {.slid = true}, rough = {.awkward = rough_cost};
+    if (s->options->slide)
+        KTG_TRY(judge_slid(context, s, &slid));
+    if (!s->options->slide || slid.failing > 0)
+        KTG_TRY(judge_panels(context, s, &s->mesh, &rough));
+    bool take = s->options->slide && !(slid.failing > 0 && rough.failing < slid.failing);
+    *o = take ? slid : rough;
+    return judge_seams(context, s, o);
+}
+
+/* By the limit that was asked for. */
+static ktg_status judge(ktg_context *context, auto_search *s, outcome *o) {
+    double searched = s->limit.area_part;
+    s->limit.area_part = s->options->area_part;
+    s->limit.thorough = true;
+    ktg_status status = judge_both(context, s, o);
+    s->limit.area_part = searched;
+    s->limit.thorough = false;
     return status;
 }
 
@@ -340,11 +401,25 @@ static ktg_status attempt(ktg_context *context, auto_search *s, outcome *o) {
     return judge(context, s, o);
 }
 
+/* First what fails the limit, if that differs clearly, then what is awkward to sew. */
+static bool is_better(const outcome *a, const outcome *b) {
+    if (a->failing < 0.9 * b->failing || b->failing < 0.9 * a->failing)
+        return a->failing < b->failing;
+    return a->awkward < b->awkward;
+}
+
+/* One always, and more as long as all together will not take too long. */
+static bool may_attempt(ktg_context *context, auto_search *s, uint32_t made) {
+    if (made == 0)
+        return true;
+    return s->limit.work / made * (made + 1) < most_attempt_work && !ktg_wants_finish(context);
+}
+
 /* What a greedy search finds depends on its first step most of all: several are tried, with and
  * without darts, as long as there is work left. */
 static ktg_status try_all(ktg_context *context, auto_search *s, bool *best) {
-    outcome least = {UINT32_MAX, 1, INFINITY};
-    for (uint32_t i = 0; i < attempts && (i == 0 || may_go_on(context, s)); i++) {
+    outcome least = {.failing = INFINITY, .awkward = INFINITY};
+    for (uint32_t i = 0; i < attempts && may_attempt(context, s, i); i++) {
         outcome its;
         s->first_rank = i / 2;
         s->lines_last = i % 2 == 0;
@@ -352,8 +427,7 @@ static ktg_status try_all(ktg_context *context, auto_search *s, bool *best) {
 #ifdef SEAMS_TRACE
         printf("attempt %u: beyond %u awkward %.3f work %.2fM\n", i, its.beyond, its.awkward, s->limit.work / 1e6);
 #endif
-        if (its.beyond > least.beyond ||
-            (its.beyond == least.beyond && !(its.awkward < least.awkward)))
+        if (!is_better(&its, &least))
             continue;
         least = its;
         memcpy(best, s->cut, s->adjacency->edge_count * sizeof *best);
@@ -385,6 +459,7 @@ static ktg_status fill_report(ktg_context *context, auto_search *s, double unit,
     *report = (ktg_seams_report){.panels = parts.count,
                                  .panels_beyond = its.beyond,
                                  .worst_area_beyond = its.worst,
+                                 .slide = its.slid,
                                  .mirrored = s->mirror.found,
                                  .exhausted = s->exhausted};
     ktg_cut_surface_free(&parts);
@@ -440,7 +515,7 @@ ktg_status ktg_seams_auto(ktg_context *context, const ktg_mesh *mesh,
         return ktg_fail(context, KTG_ARGUMENT,
                         "a limit of strain for seams is more than 0, and the part of the area that "
                         "it is for more than 0 and at most 1");
-    s.limit = (ktg_fit_limit){s.options->max_strain, 1 - spare * (1 - s.options->area_part), 0};
+    s.limit = (ktg_fit_limit){s.options->max_strain, 1 - spare * (1 - s.options->area_part), false, 0};
     s.mesh.vertex_count = mesh->vertex_count;
     s.mesh.face_count = mesh->face_count;
     s.mesh.faces = mesh->faces;

@@ -134,18 +134,30 @@ typedef struct ktg_fit {
     double excess; /* integral over the area of log2(strain / (0.8 limit)), where positive */
     double beyond; /* part of the area beyond the limit, or folded */
     double waste;  /* part of its convex hull that the flat shape leaves empty */
-    bool good;     /* a flat shape within the limit that does not lie on itself */
+    bool known;    /* is it known whether it comes out without fold and overlap ... */
+    bool flat;     /* ... and does it */
+    bool good;     /* flat, and within the limit */
 } ktg_fit;
 
 /* What the limit is, and what has been spent; one for each thread. */
 typedef struct ktg_fit_limit {
     double max_strain, area_part;
+    bool thorough; /* find out whether it is flat even where it is far beyond the limit */
     uint64_t work; /* faces laid flat, added to */
 } ktg_fit_limit;
 
 /* The mesh is a disk. */
 KTG_NODISCARD ktg_status ktg_fit_measure(ktg_context *context, const ktg_mesh *mesh,
                                          ktg_fit_limit *limit, ktg_fit *fit);
+
+/* The area that is beyond the limit and should not be; all of it where the panel cannot be laid
+ * flat. */
+static inline double ktg_fit_failing(const ktg_fit *fit, const ktg_fit_limit *limit) {
+    if (fit->known && !fit->flat)
+        return fit->area;
+    double over = fit->beyond - (1 - limit->area_part);
+    return over > 0 ? over * fit->area : 0;
+}
 
 /* How awkward a panel of this shape is to cut and to sew, as seam length that one would rather sew,
  * in square roots of the area around: some for being one panel, more for arms and hollows. */

@@ -10,13 +10,13 @@
 #include <string.h>
 
 /* Rounds of moving, and rings around seams that give way. */
-enum { rounds = 12, rings = 3, most_retreats = 12 };
+enum { rounds = 24, rings = 4, most_retreats = 12 };
 
 /* Vertices at a fold of this angle or more stay. */
 static const double crease = 45 * KTG_PI / 180;
 
 /* A face must keep this part of its shape, and not turn by more than this angle's cosine. */
-static const double least_shape = 0.15, least_cosine = 0.8;
+static const double least_shape = 0.1, least_cosine = 0.7;
 
 typedef struct slide {
     const ktg_sheet *sheet; /* the surface as it was */
