@@ -10,7 +10,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { most_rounds = 60, cache_size = 4096 };
+enum { most_passes = 8, cache_size = 4096 };
+
+/* A panel of less than this part of the surface is small. */
+static const double small_part = 0.02;
 
 /* What a panel was measured to be, found by its faces and vertices. */
 typedef struct cached_fit {
@@ -79,6 +82,7 @@ typedef struct judgement {
     bool good;      /* disks that can be laid flat */
     double failing; /* area that is beyond the limit and should not be */
     double awkward; /* panels' shapes and the seams' length */
+    double least;   /* area of the smallest panel */
 } judgement;
 
 static ktg_status judge_panels(ktg_context *context, const revising *r,
@@ -96,6 +100,7 @@ static ktg_status judge_panels(ktg_context *context, const revising *r,
         j->good &= known->disk && known->fit.known && known->fit.flat;
         j->failing += ktg_fit_failing(&known->fit, r->about->limit);
         j->awkward += ktg_fit_shape(&known->fit);
+        j->least = ktg_min(j->least, known->fit.area);
     }
     return KTG_OK;
 }
@@ -112,7 +117,7 @@ static ktg_status judge(ktg_context *context, const revising *r, const bool *cut
                         const uint32_t *pair, judgement *j) {
     const ktg_sheet *s = r->about->sheet;
     ktg_cut_surface parts;
-    *j = (judgement){true, 0, seam_length(s, cut) / r->unit};
+    *j = (judgement){true, 0, seam_length(s, cut) / r->unit, s->area};
     KTG_TRY(ktg_cut_apart(context, s->mesh, s->adjacency, cut, &parts));
     bool *marked = ktg_new(context, parts.count, bool);
     ktg_status status =
@@ -160,6 +165,8 @@ static ktg_status try_change(ktg_context *context, revising *r, change *make, co
     if (!after.good)
         return KTG_OK;
     KTG_TRY(judge(context, r, r->cut, pair, &before));
+    if (r->about->small_only && before.least > small_part * r->about->sheet->area)
+        return KTG_OK;
     *kept = !before.good ||
             (after.failing <= before.failing && after.awkward < before.awkward);
     if (*kept)
@@ -200,18 +207,17 @@ static ktg_status find_turns(ktg_context *context, revising *r, turn **turns) {
     return KTG_OK;
 }
 
-/* The first change that is kept from turn *next on; *next is behind it then. */
+/* The first change that is kept from turn *next on, where the next one to try is then. */
 static ktg_status revise_once(ktg_context *context, revising *r, change *make, const turn *turns,
                               uint32_t *next, bool *kept) {
     *kept = false;
-    while (*next < r->chains.count && !*kept) {
+    for (; *next < r->chains.count && !*kept; *next += !*kept) {
         uint32_t pair[2] = {turns[*next].chain, turns[*next].chain};
         KTG_TRY(ktg_check_cancel(context));
         if (r->about->limit->work > r->about->most_work || ktg_wants_finish(context))
             *next = r->chains.count;
         else {
-            ++*next;
-            if (r->about->mirror->found)
+            if (r->about->mirror->found && !r->about->small_only)
                 pair[1] = ktg_mirror_partner(r->about->sheet, r->about->mirror, &r->chains, pair[0]);
             KTG_TRY(try_change(context, r, make, pair, kept));
         }
@@ -219,16 +225,18 @@ static ktg_status revise_once(ktg_context *context, revising *r, change *make, c
     return KTG_OK;
 }
 
-/* After a change all runs are looked at again (`again`), or those that are behind it. */
-static ktg_status revise_all(ktg_context *context, revising *r, change *make, bool again) {
+/* Looks at every run once; after a change the runs are others, and it goes on among those. */
+static ktg_status revise_pass(ktg_context *context, revising *r, change *make, bool *any) {
     bool kept = true;
     uint32_t next = 0;
-    for (int round = 0; kept && round < most_rounds; round++) {
+    *any = false;
+    while (kept) {
         turn *turns = NULL;
         ktg_status status = find_turns(context, r, &turns);
         if (status == KTG_OK)
             status = revise_once(context, r, make, turns, &next, &kept);
-        next = again ? 0 : next;
+        *any |= kept;
+        next += kept && make == straighten; /* that run is still there */
         ktg_free(turns);
         ktg_chains_free(&r->chains);
         KTG_TRY(status);
@@ -237,22 +245,23 @@ static ktg_status revise_all(ktg_context *context, revising *r, change *make, bo
 }
 
 static ktg_status revise(ktg_context *context, const ktg_revision *revision, change *make,
-                         bool again, bool *cut) {
+                         int passes, bool *cut) {
     revising r = {.about = revision, .cut = cut, .unit = sqrt(revision->sheet->area)};
     r.trial = ktg_new(context, revision->sheet->edge_count, bool);
     r.cache = ktg_new(context, cache_size, cached_fit);
-    ktg_status status = KTG_MEMORY;
-    if (r.trial && r.cache)
-        status = revise_all(context, &r, make, again);
+    ktg_status status = r.trial && r.cache ? KTG_OK : KTG_MEMORY;
+    bool any = true;
+    for (int pass = 0; status == KTG_OK && any && pass < passes; pass++)
+        status = revise_pass(context, &r, make, &any);
     ktg_free(r.trial);
     ktg_free(r.cache);
     return status;
 }
 
 ktg_status ktg_seams_merge(ktg_context *context, const ktg_revision *revision, bool *cut) {
-    return revise(context, revision, take_away, true, cut);
+    return revise(context, revision, take_away, most_passes, cut);
 }
 
 ktg_status ktg_seams_polish(ktg_context *context, const ktg_revision *revision, bool *cut) {
-    return revise(context, revision, straighten, false, cut);
+    return revise(context, revision, straighten, 1, cut);
 }

@@ -13,7 +13,7 @@
 #include <string.h>
 
 /* Faces laid flat in trials, at most: as many, or as many times the faces of the surface. */
-static const uint64_t most_work = 3000000, most_work_times = 60;
+static const uint64_t most_work = 2000000, most_work_times = 50;
 
 /* Further attempts are made while all together lay less than this flat. */
 static const uint64_t most_attempt_work = 1500000;
@@ -33,8 +33,8 @@ static const double dart_cost = 0.15, corner_cost = 0.12;
 /* Seams that cannot be slid smooth. */
 static const double rough_cost = 1;
 
-/* Searches that begin differently. */
-enum { attempts = 8 };
+/* Searches that begin differently; faces of a panel that is not halved when work has run out. */
+enum { attempts = 8, few_faces = 64 };
 
 /* A cut that takes away less than this part of the excess is not worth making. */
 static const double least_gain = 0.03;
@@ -167,19 +167,16 @@ static void set_done(auto_search *s, const ktg_cut_panel *part) {
         s->done[part->face[f]] = true;
 }
 
-/* Can the panel be laid flat at all, however strained? */
-static ktg_status is_flat(ktg_context *context, auto_search *s, const ktg_cut_panel *part,
-                          bool *flat) {
+/* Measures a panel even where it is far beyond the limit; one that is no disk is not flat. */
+static ktg_status measure_panel(ktg_context *context, auto_search *s, const ktg_cut_panel *part,
+                                ktg_fit *fit) {
     ktg_sheet *sheet;
-    ktg_fit fit = {0};
     KTG_TRY(ktg_sheet_new(context, part->mesh, NULL, &sheet));
-    *flat = false;
+    *fit = (ktg_fit){0};
     ktg_status status = KTG_OK;
     s->limit.thorough = true;
-    if ((int64_t)part->mesh->vertex_count - sheet->edge_count + part->mesh->face_count == 1) {
-        status = ktg_fit_measure(context, part->mesh, &s->limit, &fit);
-        *flat = fit.flat;
-    }
+    if ((int64_t)part->mesh->vertex_count - sheet->edge_count + part->mesh->face_count == 1)
+        status = ktg_fit_measure(context, part->mesh, &s->limit, fit);
     s->limit.thorough = false;
     ktg_sheet_free(&sheet);
     return status;
@@ -205,11 +202,11 @@ static ktg_status cut_panel(ktg_context *context, auto_search *s, const ktg_cut_
     if (status == KTG_OK)
         status = ktg_parallel_run(context, ktg_split_ways, try_way, &w);
     const way *best = status == KTG_OK ? choose_way(s, &w, before) : NULL;
-    bool flat = true;
-    if (status == KTG_OK && !best)
-        status = is_flat(context, s, part, &flat);
-    if (status == KTG_OK && !flat)
-        best = any_way(&w);
+    ktg_fit fit;
+    if (status == KTG_OK && !best) {
+        status = measure_panel(context, s, part, &fit);
+        best = status == KTG_OK && !fit.flat ? any_way(&w) : NULL;
+    }
     if (best)
         carry(s, part, sheet, best->cut);
     else
@@ -269,27 +266,64 @@ static uint32_t next_panel(const auto_search *s, const ktg_cut_surface *parts, b
     return KTG_NONE;
 }
 
-static bool may_go_on(ktg_context *context, auto_search *s) {
+static bool may_go_on(auto_search *s) {
     uint64_t times = most_work_times * s->mesh.face_count;
-    s->exhausted = s->limit.work > (times > most_work ? times : most_work) || ktg_wants_finish(context);
-    return !s->exhausted;
+    bool more = s->limit.work < (times > most_work ? times : most_work);
+    s->exhausted |= !more;
+    return more;
+}
+
+/* What to cut when work has run out: what is no disk is opened, and what does not fit is halved
+ * across its extent, without trials, down to a few faces. */
+static ktg_status halve(ktg_context *context, auto_search *s, const ktg_cut_panel *part,
+                        const ktg_sheet *sheet, bool *cut) {
+    ktg_fit fit;
+    KTG_TRY(ktg_sheet_open(context, part->mesh, sheet->adjacency, cut));
+    if (any(cut, sheet->edge_count))
+        return KTG_OK;
+    KTG_TRY(measure_panel(context, s, part, &fit));
+    if (fit.good || (fit.flat && part->mesh->face_count <= few_faces))
+        return KTG_OK;
+    return ktg_split_halve(context, sheet, cut);
+}
+
+static ktg_status halve_panel(ktg_context *context, auto_search *s, const ktg_cut_surface *parts,
+                              uint32_t index) {
+    const ktg_cut_panel *part = &parts->panels[index];
+    ktg_sheet *sheet;
+    KTG_TRY(ktg_sheet_new(context, part->mesh, NULL, &sheet));
+    bool *cut = ktg_new(context, sheet->edge_count, bool);
+    ktg_status status = cut ? halve(context, s, part, sheet, cut) : KTG_MEMORY;
+    if (status == KTG_OK && any(cut, sheet->edge_count))
+        carry(s, part, sheet, cut);
+    else if (status == KTG_OK)
+        set_done(s, part);
+    ktg_free(cut);
+    ktg_sheet_free(&sheet);
+    return status;
+}
+
+static ktg_status refine_next(ktg_context *context, auto_search *s, bool half, bool *ended) {
+    ktg_cut_surface parts;
+    KTG_TRY(ktg_cut_apart(context, &s->mesh, s->adjacency, s->cut, &parts));
+    uint32_t index = next_panel(s, &parts, half);
+    ktg_status status = KTG_OK;
+    *ended = index == KTG_NONE;
+    if (!*ended)
+        status = may_go_on(s) ? refine_panel(context, s, &parts, index)
+                                       : halve_panel(context, s, &parts, index);
+    ktg_cut_surface_free(&parts);
+    return status;
 }
 
 static ktg_status refine(ktg_context *context, auto_search *s, bool half) {
-    for (uint32_t round = 0; may_go_on(context, s); round++) {
-        ktg_cut_surface parts;
+    bool ended = false;
+    for (uint32_t round = 0; !ended && !ktg_wants_finish(context); round++) {
         KTG_TRY(ktg_check_cancel(context));
         ktg_progress(context, "seams", 1 - 10.0 / (10 + round), NULL);
-        KTG_TRY(ktg_cut_apart(context, &s->mesh, s->adjacency, s->cut, &parts));
-        uint32_t index = next_panel(s, &parts, half);
-        ktg_status status = KTG_OK;
-        if (index != KTG_NONE)
-            status = refine_panel(context, s, &parts, index);
-        ktg_cut_surface_free(&parts);
-        KTG_TRY(status);
-        if (index == KTG_NONE)
-            break;
+        KTG_TRY(refine_next(context, s, half, &ended));
     }
+    s->exhausted |= !ended;
     return KTG_OK;
 }
 
@@ -309,6 +343,8 @@ static ktg_status revise(ktg_context *context, auto_search *s) {
                              .most_work = s->limit.work + most_work};
     KTG_TRY(ktg_seams_merge(context, &revision, s->cut));
     KTG_TRY(ktg_seams_polish(context, &revision, s->cut));
+    KTG_TRY(ktg_seams_merge(context, &revision, s->cut));
+    revision.small_only = true;
     return ktg_seams_merge(context, &revision, s->cut);
 }
 

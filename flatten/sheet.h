@@ -231,6 +231,9 @@ void ktg_split_free(ktg_split **split);
 KTG_NODISCARD ktg_status ktg_split_make(ktg_context *context, const ktg_split *split, uint32_t way,
                                         bool *cut, double *cost);
 
+/* The edges across the middle of a sheet's longest extent; of another one where that gives none. */
+KTG_NODISCARD ktg_status ktg_split_halve(ktg_context *context, const ktg_sheet *sheet, bool *cut);
+
 /* ---- mirror.c ----------------------------------------------------------------------------- */
 
 typedef struct ktg_mirror {
@@ -267,6 +270,7 @@ typedef struct ktg_revision {
     const bool *fixed; /* edge_count: seams that stay */
     const bool *plane; /* edge_count: seams along the mirror plane, or NULL */
     const ktg_mirror *mirror;
+    bool small_only; /* small panels only, and not each change on both sides of the mirror */
     ktg_fit_limit *limit;
     uint64_t most_work; /* limit->work may rise to that */
 } ktg_revision;

@@ -279,3 +279,21 @@ ktg_status ktg_split_make(ktg_context *context, const ktg_split *split, uint32_t
             KTG_TRY(cut_lines(context, split, kinds[4 * k], cut));
     return KTG_OK;
 }
+
+ktg_status ktg_split_halve(ktg_context *context, const ktg_sheet *sheet, bool *cut) {
+    ktg_vec3 *centres = ktg_new(context, sheet->mesh->face_count, ktg_vec3), mean, extents[3];
+    double at;
+    if (!centres)
+        return KTG_MEMORY;
+    for (uint32_t f = 0; f < sheet->mesh->face_count; f++)
+        centres[f] = ktg_face_centre(sheet->mesh, f);
+    ktg_axes_of_vectors(sheet->mesh, centres, &mean, extents);
+    ktg_status status = KTG_OK;
+    for (int k = 0; status == KTG_OK && k < 3; k++) {
+        status = cut_between(context, sheet, centres, extents[k], 0.5, cut, &at);
+        for (uint32_t e = 0; k < 2 && e < sheet->edge_count; e++)
+            k = cut[e] ? 2 : k;
+    }
+    ktg_free(centres);
+    return status;
+}
