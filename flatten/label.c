@@ -112,8 +112,10 @@ static double threshold(const ktg_sheet *sheet, const valued_face *sorted, doubl
         double area = ktg_length3(ktg_sheet_area(sheet->mesh, sorted[i].face));
         below += area;
         sum_below += area * sorted[i].value;
-        double above = ktg_max(total - below, 1e-300), apart = sum_below / below - (sum - sum_below) / above;
-        double score = part > 0 ? total - fabs(below - part * total) : below * above * apart * apart;
+        double above = ktg_max(total - below, 1e-300),
+               apart = sum_below / below - (sum - sum_below) / above;
+        double score =
+            part > 0 ? total - fabs(below - part * total) : below * above * apart * apart;
         if (score > best) {
             best = score;
             at = (sorted[i].value + sorted[i + 1].value) / 2;

@@ -61,7 +61,8 @@ static double distance_from_surface(const ktg_sheet *sheet, ktg_vec3 p) {
     double least = INFINITY;
     for (uint32_t i = sheet->first[v]; i < sheet->first[v + 1]; i++) {
         const ktg_adjacency *a = sheet->adjacency;
-        for (uint32_t k = a->edge_first[sheet->around[i]]; k < a->edge_first[sheet->around[i] + 1]; k++)
+        for (uint32_t k = a->edge_first[sheet->around[i]]; k < a->edge_first[sheet->around[i] + 1];
+             k++)
             least = ktg_min(least, distance_from_face(sheet->mesh, a->edge_halfedges[k] / 3, p));
     }
     return least;
@@ -256,8 +257,8 @@ static bool is_near_side(const copying *c, const ktg_chain *chain) {
         for (int k = 0; k < 2; k++)
             side += ktg_mirror_side(
                 c->mirror,
-                c->sheet->mesh->positions
-                    [c->sheet->ends[2 * (size_t)c->chains.edges[chain->first + i] + k]]);
+                c->sheet->mesh
+                    ->positions[c->sheet->ends[2 * (size_t)c->chains.edges[chain->first + i] + k]]);
     return side > 0;
 }
 

@@ -140,7 +140,10 @@ static ktg_vec3 state_direction(const ktg_sheet *s, uint32_t state) {
     return ktg_unit3(ktg_sub3(p[state_head(s, state)], p[state_tail(s, state)]));
 }
 
+/* A crease may turn as it likes. */
 static double bend(const ktg_sheet *s, uint32_t from, uint32_t to) {
+    if (ktg_sheet_is_crease(s, from / 2) && ktg_sheet_is_crease(s, to / 2))
+        return 0;
     ktg_vec3 a = state_direction(s, from), b = state_direction(s, to);
     double angle = atan2(ktg_length3(ktg_cross3(a, b)), ktg_dot3(a, b));
     return bend_cost * s->mean_edge * angle * angle;

@@ -1,5 +1,5 @@
-/* flatten/revise.c - seams looked at again when all is cut: every run of them has to show that it is
- * needed, and may run straighter.
+/* flatten/revise.c - seams looked at again when all is cut: every run of them has to show that it
+ * is needed, and may run straighter.
  *
  * A change is tried together with its mirror image, and kept when all panels beside it fit and are,
  * with the seams, not more awkward to sew than before. */
@@ -48,8 +48,7 @@ static ktg_status measure(ktg_context *context, const revising *r, const ktg_cut
     ktg_sheet *sheet;
     KTG_TRY(ktg_sheet_new(context, panel->mesh, NULL, &sheet));
     ktg_status status = KTG_OK;
-    measured->disk =
-        (int64_t)panel->mesh->vertex_count - sheet->edge_count + panel->mesh->face_count == 1;
+    measured->disk = ktg_sheet_is_disk(sheet);
     if (measured->disk)
         status = ktg_fit_measure(context, panel->mesh, r->about->limit, &measured->fit);
     ktg_sheet_free(&sheet);
@@ -105,11 +104,11 @@ static ktg_status judge_panels(ktg_context *context, const revising *r,
     return KTG_OK;
 }
 
-static double seam_length(const ktg_sheet *sheet, const bool *cut) {
-    double length = 0;
+static double seam_cost(const ktg_sheet *sheet, const bool *cut) {
+    double cost = 0;
     for (uint32_t e = 0; e < sheet->edge_count; e++)
-        length += cut[e] ? sheet->length[e] : 0;
-    return length;
+        cost += cut[e] ? sheet->length[e] : 0;
+    return cost;
 }
 
 /* The panels beside a pair of runs, with the seams of `cut`. */
@@ -117,11 +116,10 @@ static ktg_status judge(ktg_context *context, const revising *r, const bool *cut
                         const uint32_t *pair, judgement *j) {
     const ktg_sheet *s = r->about->sheet;
     ktg_cut_surface parts;
-    *j = (judgement){true, 0, seam_length(s, cut) / r->unit, s->area};
+    *j = (judgement){true, 0, seam_cost(s, cut) / r->unit, s->area};
     KTG_TRY(ktg_cut_apart(context, s->mesh, s->adjacency, cut, &parts));
     bool *marked = ktg_new(context, parts.count, bool);
-    ktg_status status =
-        marked ? judge_panels(context, r, &parts, pair, marked, j) : KTG_MEMORY;
+    ktg_status status = marked ? judge_panels(context, r, &parts, pair, marked, j) : KTG_MEMORY;
     ktg_free(marked);
     ktg_cut_surface_free(&parts);
     return status;
@@ -167,8 +165,7 @@ static ktg_status try_change(ktg_context *context, revising *r, change *make, co
     KTG_TRY(judge(context, r, r->cut, pair, &before));
     if (r->about->small_only && before.least > small_part * r->about->sheet->area)
         return KTG_OK;
-    *kept = !before.good ||
-            (after.failing <= before.failing && after.awkward < before.awkward);
+    *kept = !before.good || (after.failing <= before.failing && after.awkward < before.awkward);
     if (*kept)
         memcpy(r->cut, r->trial, size);
     return KTG_OK;
@@ -188,12 +185,15 @@ static int highest_first(const void *a, const void *b) {
     return (x->chain > y->chain) - (x->chain < y->chain);
 }
 
-/* Long seams first; of two alike the one in front, where it is seen. */
+/* Long seams first, those along creases last; of two alike the one in front, where it is seen. */
 static double importance(const revising *r, uint32_t chain) {
     const ktg_sheet *s = r->about->sheet;
     const ktg_chain *c = &r->chains.chains[chain];
     uint32_t e = r->chains.edges[c->first + c->count / 2];
-    return c->length * (1 + 0.3 * s->mesh->positions[s->ends[2 * (size_t)e]].z);
+    double cost = 0;
+    for (uint32_t i = 0; i < c->count; i++)
+        cost += s->cost[r->chains.edges[c->first + i]];
+    return cost * (1 + 0.3 * s->mesh->positions[s->ends[2 * (size_t)e]].z);
 }
 
 static ktg_status find_turns(ktg_context *context, revising *r, turn **turns) {
@@ -218,7 +218,8 @@ static ktg_status revise_once(ktg_context *context, revising *r, change *make, c
             *next = r->chains.count;
         else {
             if (r->about->mirror->found && !r->about->small_only)
-                pair[1] = ktg_mirror_partner(r->about->sheet, r->about->mirror, &r->chains, pair[0]);
+                pair[1] =
+                    ktg_mirror_partner(r->about->sheet, r->about->mirror, &r->chains, pair[0]);
             KTG_TRY(try_change(context, r, make, pair, kept));
         }
     }

@@ -24,7 +24,7 @@
 typedef struct ktg_sheet {
     const ktg_mesh *mesh;
     const ktg_adjacency *adjacency;
-    ktg_adjacency *own;     /* the same, where the sheet made it */
+    ktg_adjacency *own; /* the same, where the sheet made it */
     uint32_t edge_count;
     uint32_t *ends;         /* 2 edge_count */
     uint32_t *first;        /* vertex_count + 1: where a vertex's edges start in `around` */
@@ -48,12 +48,23 @@ KTG_NODISCARD ktg_status ktg_sheet_find_slits(ktg_context *context, const ktg_cu
                                               ktg_sheet *sheet);
 
 static inline bool ktg_sheet_is_border(const ktg_sheet *sheet, uint32_t edge) {
-    return sheet->adjacency->twin[sheet->adjacency->edge_halfedges
-                                      [sheet->adjacency->edge_first[edge]]] == KTG_NONE;
+    return sheet->adjacency
+               ->twin[sheet->adjacency->edge_halfedges[sheet->adjacency->edge_first[edge]]] ==
+           KTG_NONE;
 }
 static inline uint32_t ktg_sheet_other_end(const ktg_sheet *sheet, uint32_t edge, uint32_t v) {
     return sheet->ends[2 * (size_t)edge] ^ sheet->ends[2 * (size_t)edge + 1] ^ v;
 }
+/* Does the edge cost so much less than its length that it is one of a crease? Seams stay there. */
+static inline bool ktg_sheet_is_crease(const ktg_sheet *sheet, uint32_t edge) {
+    return sheet->cost[edge] < 0.75 * sheet->length[edge];
+}
+
+/* V - E + F is 1, as that of a disk. */
+static inline bool ktg_sheet_is_disk(const ktg_sheet *sheet) {
+    return (int64_t)sheet->mesh->vertex_count - sheet->edge_count + sheet->mesh->face_count == 1;
+}
+
 /* Area vector of a face: normal times area. */
 ktg_vec3 ktg_sheet_area(const ktg_mesh *mesh, uint32_t face);
 
@@ -75,8 +86,8 @@ typedef struct ktg_path_query {
 KTG_NODISCARD ktg_status ktg_path_find(ktg_context *context, const ktg_path_query *query,
                                        uint32_t *edges, uint32_t *count);
 
-/* Distance from each vertex to the nearest one that is marked, along edges by `cost`; INFINITY where
- * there is no way; via: the edge towards it (KTG_NONE), or NULL. */
+/* Distance from each vertex to the nearest one that is marked, along edges by `cost`; INFINITY
+ * where there is no way; via: the edge towards it (KTG_NONE), or NULL. */
 KTG_NODISCARD ktg_status ktg_path_distances(ktg_context *context, const ktg_sheet *sheet,
                                             const double *cost, const bool *from, double *distance,
                                             uint32_t *via);
@@ -179,8 +190,8 @@ void ktg_axes_of_vectors(const ktg_mesh *mesh, const ktg_vec3 *vectors, ktg_vec3
 
 /* ---- label.c ------------------------------------------------------------------------------ */
 
-/* Which faces lie above a threshold *at: that below which `part` of the area lies or, where part is 0,
- * the one that separates low from high values best. Cleaned. side: face_count. */
+/* Which faces lie above a threshold *at: that below which `part` of the area lies or, where part is
+ * 0, the one that separates low from high values best. Cleaned. side: face_count. */
 KTG_NODISCARD ktg_status ktg_label_by_value(ktg_context *context, const ktg_sheet *sheet,
                                             const double *value, double part, bool *side,
                                             double *at);

@@ -192,8 +192,8 @@ static bool is_spoilt(const slide *s, uint32_t face) {
     const uint32_t *v = s->sheet->mesh->faces + 3 * (size_t)face;
     const ktg_vec3 *p = s->sheet->mesh->positions;
     ktg_vec3 was = ktg_unit3(ktg_sheet_area(s->sheet->mesh, face));
-    ktg_vec3 is = ktg_unit3(ktg_cross3(ktg_sub3(s->now[v[1]], s->now[v[0]]),
-                                       ktg_sub3(s->now[v[2]], s->now[v[0]])));
+    ktg_vec3 is = ktg_unit3(
+        ktg_cross3(ktg_sub3(s->now[v[1]], s->now[v[0]]), ktg_sub3(s->now[v[2]], s->now[v[0]])));
     double shape = shape_of(s->now, v);
     return ktg_dot3(was, is) < least_cosine ||
            (shape < least_shape && shape < 0.9 * shape_of(p, v));

@@ -172,11 +172,6 @@ static double distance_from_line(ktg_vec3 p, const ktg_vec3 *points, uint32_t co
     return sqrt(least);
 }
 
-/* Does the edge cost so much less than its length that it is one of a crease? Seams stay there. */
-static bool is_crease(const ktg_sheet *sheet, uint32_t edge) {
-    return sheet->cost[edge] < 0.75 * sheet->length[edge];
-}
-
 /* Edges cost more the further from the line they run. Of no account where the path may not go. */
 static void set_line_cost(const stretch *s, const ktg_vec3 *points, uint32_t count, double *away,
                           double *cost) {
@@ -188,7 +183,7 @@ static void set_line_cost(const stretch *s, const ktg_vec3 *points, uint32_t cou
     for (uint32_t e = 0; e < sheet->edge_count; e++) {
         double mean = (away[sheet->ends[2 * (size_t)e]] + away[sheet->ends[2 * (size_t)e + 1]]) / 2;
         double edges = ktg_min(1e3, mean / sheet->mean_edge);
-        cost[e] = is_crease(sheet, e) ? sheet->cost[e] : sheet->length[e] * (1 + 4 * edges * edges);
+        cost[e] = ktg_sheet_is_crease(sheet, e) ? sheet->cost[e] : sheet->length[e] * (1 + 4 * edges * edges);
     }
 }
 

@@ -208,8 +208,7 @@ static ktg_status cut_lines(ktg_context *context, const ktg_split *split, line_k
     lines l = {0};
     if (split->peaks[kind.peak] == KTG_NONE)
         return KTG_OK;
-    ktg_status status =
-        make_lines(context, split->sheet, split->peaks[kind.peak], kind, &l, cut);
+    ktg_status status = make_lines(context, split->sheet, split->peaks[kind.peak], kind, &l, cut);
     ktg_free(l.from);
     ktg_free(l.to);
     ktg_free(l.forbidden);
@@ -219,9 +218,8 @@ static ktg_status cut_lines(ktg_context *context, const ktg_split *split, line_k
 
 /* ---- by a value of each face --------------------------------------------------------------- */
 
-static ktg_status cut_between(ktg_context *context, const ktg_sheet *sheet,
-                              const ktg_vec3 *vectors, ktg_vec3 axis, double part, bool *cut,
-                              double *at) {
+static ktg_status cut_between(ktg_context *context, const ktg_sheet *sheet, const ktg_vec3 *vectors,
+                              ktg_vec3 axis, double part, bool *cut, double *at) {
     const uint32_t face_count = sheet->mesh->face_count;
     double *value = ktg_new(context, face_count, double);
     bool *side = ktg_new(context, face_count, bool);
