@@ -8,7 +8,7 @@
  * another one; seams that cannot be slid smooth. All as length of seam in square roots of the area
  * of the surface. */
 static const double small_part = 0.03, small_cost = 1;
-static const double dart_cost = 0.15, corner_cost = 0.12, rough_cost = 2;
+static const double dart_cost = 0.15, corner_cost = 0.12, rough_cost = 4;
 
 static ktg_status judge_seams(ktg_context *context, const ktg_search *s, ktg_outcome *o) {
     ktg_chains chains;

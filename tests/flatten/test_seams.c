@@ -41,7 +41,7 @@ static void a_tube_becomes_one_panel(void **state) {
 }
 
 static void a_sphere_becomes_a_few_panels(void **state) {
-    garment g = sphere(*state, 10);
+    garment g = sphere(*state, 8);
     ktg_seams_report report = choose(*state, &g);
     assert_true(report.panels + report.darts / 4 <= 8);
     assert_true(report.mirrored);
@@ -92,7 +92,7 @@ static double distance_from_mirrored(const garment *g, ktg_vec3 p) {
 }
 
 static void what_is_symmetric_is_cut_alike_on_both_sides(void **state) {
-    garment g = garment_new(*state, grid_panel(*state, two_bumps, 32));
+    garment g = garment_new(*state, grid_panel(*state, two_bumps, 24));
     ktg_seams_report report = choose(*state, &g);
     assert_true(report.mirrored && report.seam_length > 0.5);
     uint32_t seams = 0, alone = 0;
@@ -105,7 +105,7 @@ static void what_is_symmetric_is_cut_alike_on_both_sides(void **state) {
 }
 
 static void given_seams_stay(void **state) {
-    garment g = garment_new(*state, grid_panel(*state, two_bumps, 24));
+    garment g = garment_new(*state, grid_panel(*state, two_bumps, 16));
     bool *given = calloc(g.adjacency->edge_count, sizeof *given);
     assert_non_null(given);
     for (uint32_t e = 0; e < g.adjacency->edge_count; e++) {
@@ -212,7 +212,7 @@ static void short_memory_leaves_the_seams_as_they_were(void **state) {
     for (uint32_t v = 0; v < g.mesh->vertex_count; v++)
         g.mesh->positions[v] = ktg_unit3(g.mesh->positions[v]);
     ktg_status status = KTG_MEMORY;
-    for (uint64_t nth = 1; status == KTG_MEMORY; nth += 1 + nth / 12) {
+    for (uint64_t nth = 1; status == KTG_MEMORY; nth += 1 + nth / 8) {
         assert_true(seam_length(&g) == 0);
         ktg_context_fail_allocation(*state, nth);
         status = ktg_seams_auto(*state, g.mesh, g.adjacency, NULL, g.cut, NULL);
