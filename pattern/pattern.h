@@ -115,8 +115,20 @@ typedef struct ktg_pattern_piece {
     ktg_pattern_label *labels;
 
     uint32_t cut_count,
-        cut_mirrored; /* how often to cut it, and how many mirrored on top; 1 and 0 for paper */
+        cut_mirrored; /* how often to cut it, and how many mirrored on top; 1 and 0 for paper.
+                         Cloth: count 0 marks a piece that is the mirror image of another one,
+                         twin_of, and is cut with it (whose cut_mirrored counts it): sheets of paper
+                         leave it out, a marker shows it */
+    uint32_t twin_of; /* index into pieces, where cut_count is 0 */
+    bool on_fold;     /* cloth: outline and lines show one half; the other is its mirror image
+                         across the line of kind KTG_LINE_FOLD */
 } ktg_pattern_piece;
+
+/* Marks on both sides of a seam that meet when it is sewn. */
+typedef struct ktg_pattern_notch {
+    double at;      /* part of the seam's length from where side 0 begins, 0 to 1 */
+    uint32_t marks; /* 1, 2 or 3 lines side by side, so that seams can be told apart */
+} ktg_pattern_notch;
 
 /* A run of consecutive cut edges of one piece whose mates are consecutive too: one number on paper,
  * one seam to sew. */
@@ -128,6 +140,10 @@ typedef struct ktg_pattern_seam {
     double lengths_mm[2]; /* measured in 2D */
     bool obvious; /* paper: its sides meet in a point and lie side by side, so that it needs no
                      number; such seams come last */
+    bool dart;    /* cloth: it ends inside its piece, and what lies between its sides is folded
+                     away, not cut out */
+    size_t notch_count;
+    ktg_pattern_notch *notches; /* cloth */
 } ktg_pattern_seam;
 
 typedef struct ktg_pattern_component {

@@ -82,6 +82,7 @@ static void forget_seams(ktg_pattern *pattern) {
     for (size_t s = 0; s < pattern->seam_count; s++) {
         ktg_free(pattern->seams[s].edges);
         ktg_free(pattern->seams[s].first_side);
+        ktg_free(pattern->seams[s].notches);
     }
     ktg_free(pattern->seams);
     pattern->seams = NULL;
