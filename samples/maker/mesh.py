@@ -14,6 +14,7 @@ class Mesh:
         self.faces = []
         self.labels = []
         self.label = Label(name, None, None)
+        self.lines = []        # marked edges, as rows of points
 
     # -- building ---------------------------------------------------------
 
@@ -31,6 +32,10 @@ class Mesh:
     def use(self, **names):
         """Change the object, group or material of the faces that follow."""
         self.label = self.label._replace(**names)
+
+    def mark(self, row):
+        """A seam along these points, where no change of group is one."""
+        self.lines.append(tuple(row))
 
     def fan(self, loop, apex):
         """Triangles from a counter-clockwise loop to one apex."""
@@ -109,7 +114,18 @@ class Mesh:
         for face, label in list(zip(self.faces, self.labels)):
             self.faces.append(tuple(twin[i] for i in reversed(face)))
             self.labels.append(label)
+        for line in list(self.lines):
+            image = tuple(twin[i] for i in line)
+            if image != line:
+                self.lines.append(image)
         return twin
+
+    def sort_groups(self, names):
+        """Faces in the order of their groups, else as they were made."""
+        order = sorted(range(len(self.faces)),
+                       key=lambda k: names.index(self.labels[k].group))
+        self.faces, self.labels = ([self.faces[k] for k in order],
+                                   [self.labels[k] for k in order])
 
     def triangulate(self):
         """Split the quads along the diagonal with the better angles."""
@@ -171,6 +187,7 @@ class Mesh:
         number = {old: new for new, old in enumerate(used)}
         self.points = [self.points[i] for i in used]
         self.faces = [tuple(number[i] for i in f) for f in self.faces]
+        self.lines = [tuple(number[i] for i in r) for r in self.lines]
 
 
 def neighbours(loop):
