@@ -3,7 +3,7 @@
 from collections import namedtuple
 
 from . import (bird, blouse, egg, fox, house, lampshade, mask, polyhedra,
-               robot, tshirt, tubes, whale)
+               robot, skirt, tshirt, tubes, whale)
 from .check import Promise
 
 # `digits` counts the decimals of the file's centimetres.
@@ -46,6 +46,10 @@ MODELS = [
     Model("tshirt-plain", "T-shirt whose seams are still to be found",
           tshirt.build_plain, 3,
           Promise(faces=(2500, 3500), borders=4, **GARMENT)),
+    Model("skirt", "A-line skirt with darts", skirt.build, 3,
+          Promise(faces=(2000, 3000), borders=2, **GARMENT)),
+    Model("skirt-gores", "flared skirt of six gores", skirt.build_gores, 3,
+          Promise(faces=(2000, 3000), borders=2, **GARMENT)),
     Model("dragon-egg", "dragon's egg, dense as a scan", egg.build, 3,
           Promise(faces=(20001, 30000), edge=0.0, angle=1.0,
                   starlike=(0.0, 0.0, 0.0))),

@@ -106,14 +106,18 @@ class Mesh:
             label._replace(material=material) if points.issuperset(face)
             else label for face, label in zip(self.faces, self.labels)]
 
-    def mirror_x(self):
-        """Add the mirror image at x = 0; points on the plane are shared."""
+    def mirror_x(self, rename=None):
+        """Add the mirror image at x = 0; points on the plane are shared.
+
+        `rename` makes the name of the image's group from the original's.
+        """
         twin = []
         for i, (x, y, z) in enumerate(list(self.points)):
             twin.append(i if x == 0.0 else self.point((-x, y, z)))
         for face, label in list(zip(self.faces, self.labels)):
             self.faces.append(tuple(twin[i] for i in reversed(face)))
-            self.labels.append(label)
+            self.labels.append(label if rename is None else
+                               label._replace(group=rename(label.group)))
         for line in list(self.lines):
             image = tuple(twin[i] for i in line)
             if image != line:

@@ -58,11 +58,7 @@ def sewn(name):
     back = add_back(shirt, rows)
     add_sleeve(shirt, rows, back)
     shirt.triangulate()
-    made = len(shirt.faces)
-    shirt.mirror_x()
-    for k in range(made, len(shirt.faces)):
-        if shirt.labels[k].group == "sleeve_left":
-            shirt.labels[k] = shirt.labels[k]._replace(group="sleeve_right")
+    shirt.mirror_x(rename=lambda name: name.replace("left", "right"))
     shirt.sort_groups(GROUPS)
     return shirt
 
