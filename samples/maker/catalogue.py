@@ -2,8 +2,8 @@
 
 from collections import namedtuple
 
-from . import (bird, blouse, egg, fox, house, lampshade, mask, polyhedra,
-               robot, skirt, tshirt, tubes, whale)
+from . import (bird, blouse, egg, fox, hat, house, lampshade, mask,
+               plush, polyhedra, robot, skirt, tshirt, tubes, whale)
 from .check import Promise
 
 # `digits` counts the decimals of the file's centimetres.
@@ -50,6 +50,10 @@ MODELS = [
           Promise(faces=(2000, 3000), borders=2, **GARMENT)),
     Model("skirt-gores", "flared skirt of six gores", skirt.build_gores, 3,
           Promise(faces=(2000, 3000), borders=2, **GARMENT)),
+    Model("hat", "sun hat of six gores and a brim", hat.build, 3,
+          Promise(faces=(1000, 2000), borders=1, **GARMENT)),
+    Model("plush-whale", "plush whale", plush.build, 3,
+          Promise(faces=(1500, 3500), **GARMENT)),
     Model("dragon-egg", "dragon's egg, dense as a scan", egg.build, 3,
           Promise(faces=(20001, 30000), edge=0.0, angle=1.0,
                   starlike=(0.0, 0.0, 0.0))),

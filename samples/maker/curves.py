@@ -33,12 +33,9 @@ def spaced(row, count):
     return [tuple(row[0])] + result[1:-1] + [tuple(row[-1])]
 
 
-def relaxed(rows, sweeps, slides=()):
-    """A plane grid whose inner points are the means of their neighbours.
-
-    The rim stays; of the rows' first points, those of the row numbers in
-    `slides` move along the line of symmetry x = 0.
-    """
+def relaxed(rows, sweeps):
+    """A plane grid with its inner points drawn towards their neighbours'
+    mean; a few sweeps even out the cells, many would crowd them."""
     rows = [list(row) for row in rows]
     for _ in range(sweeps):
         for j in range(1, len(rows) - 1):
@@ -48,7 +45,18 @@ def relaxed(rows, sweeps, slides=()):
                           rows[j + 1][i])
                 row[i] = (sum(p[0] for p in around) / 4.0,
                           sum(p[1] for p in around) / 4.0)
-            if j in slides:
-                row[0] = (0.0, (2 * row[1][1] + rows[j - 1][0][1]
-                                + rows[j + 1][0][1]) / 4.0)
     return rows
+
+
+def coons(low, high, left, right, n, s, t):
+    """The patch between four curves: its place (s, t).
+
+    `low` and `high` are rows of points, of which the n-th are at s; `left`
+    and `right` are the points at t.
+    """
+    return tuple(
+        (1 - t) * low[n][k] + t * high[n][k]
+        + (1 - s) * left[k] + s * right[k]
+        - (1 - s) * ((1 - t) * low[0][k] + t * high[0][k])
+        - s * ((1 - t) * low[-1][k] + t * high[-1][k])
+        for k in range(len(left)))

@@ -12,19 +12,21 @@ import math
 from bisect import bisect_right
 
 from . import vec
-from .curves import bezier, relaxed, spaced
+from .curves import bezier, coons, relaxed, spaced
 from .mesh import Mesh
 
-HALF_WIDTH = 20.6      # of the oval round the body
-FRONT_DEPTH, BACK_DEPTH = 11.2, 10.4
+HALF_WIDTH = 20.2      # of the oval round the body
+FRONT_DEPTH, BACK_DEPTH = 10.7, 9.7
 ROUNDNESS = 0.85       # 1 an ellipse, less towards a rounded rectangle
 ARCH_FROM = 41.0       # where the arch over the shoulder begins
-ARCH_FULLNESS = 1.15   # 1 an ellipse, 2 straight as a roof
-NECK_X, NECK_Y = 8.2, 68.0
-TIP_X, TIP_Y = 20.0, 64.6
+# How steep a roof the arch is, in the middle and at the sides: 1 an ellipse,
+# 2 straight, less than 1 square.
+ROOF_MIDDLE, ROOF_SIDE = 1.1, 0.85
+NECK_X, NECK_Y = 8.0, 68.0
+TIP_X, TIP_Y = 19.7, 64.6
 ARMPIT = 46.0
 FRONT_NECK, BACK_NECK = 8.5, 2.0   # the scoop below the neck point
-CUFF_CENTRE = (32.6, 43.6, 0.0)
+CUFF_CENTRE = (32.2, 43.6, 0.0)
 CUFF_UP, CUFF_WIDE = 6.3, 5.9
 ARM_SLOPE = 50.0       # degrees below the horizon
 CROWN = 0.7            # how far the sleeve's upper side swells
@@ -143,12 +145,13 @@ class Half:
         if u not in self.arches:
             x, z = self.around(u)
             height = shoulder_height(x) - ARCH_FROM
+            roof = ROOF_MIDDLE + (ROOF_SIDE - ROOF_MIDDLE) * (x / TIP_X) ** 2
             places = []
             for k in range(201):
                 angle = 0.5 * math.pi * k / 200
                 places.append((
-                    ARCH_FROM + height * math.sin(angle) ** ARCH_FULLNESS,
-                    z * max(0.0, math.cos(angle)) ** ARCH_FULLNESS))
+                    ARCH_FROM + height * math.sin(angle) ** roof,
+                    z * max(0.0, math.cos(angle)) ** roof))
             reach = [ARCH_FROM]
             for a, b in zip(places, places[1:]):
                 reach.append(reach[-1] + math.dist(a, b))
@@ -181,19 +184,10 @@ class Half:
         middle = [(0.0, top[0][1] * j / rows) for j in range(rows + 1)]
         grid = []
         for j in range(rows + 1):
-            t = j / rows
-            row = []
-            for i in range(COLUMNS + 1):
-                s = i / COLUMNS
-                row.append(tuple(
-                    (1 - t) * low[i][k] + t * top[i][k]
-                    + (1 - s) * middle[j][k] + s * side[j][k]
-                    - (1 - s) * ((1 - t) * low[0][k] + t * top[0][k])
-                    - s * ((1 - t) * low[-1][k] + t * top[-1][k])
-                    for k in range(2)))
-            grid.append(row)
+            grid.append([coons(low, top, middle[j], side[j], i, i / COLUMNS,
+                               j / rows) for i in range(COLUMNS + 1)])
         grid[0], grid[-1] = low, top
-        return relaxed(grid, 5)
+        return relaxed(grid, 7)
 
     def right_side(self):
         """The side seam, then the armhole up to the shoulder's tip."""
