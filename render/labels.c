@@ -27,6 +27,24 @@ static ktg_vec2 within_printable(const ktg_page *page, ktg_vec2 at, double angle
                       fmax(fmin(at.y, area.y1 - y), area.y0 + y)};
 }
 
+/* Level lines of a name stand below each other, and do so too when each is turned over to be read:
+ * then they change places, about the middle of them all. */
+static ktg_vec2 turned_place(const ktg_page *page, const ktg_pattern_placement *placement,
+                             const ktg_pattern_label *label) {
+    const ktg_pattern_piece *piece = &page->drawing->pattern->pieces[placement->piece];
+    double low = INFINITY, high = -INFINITY;
+    if (label->rotation != 0 || !upside_down(placement->rotation))
+        return label->at;
+    for (size_t i = 0; i < piece->label_count; i++) {
+        const ktg_pattern_label *line = &piece->labels[i];
+        if (line->edge != KTG_NONE || line->rotation != 0 || line->at.x != label->at.x)
+            continue;
+        low = fmin(low, line->at.y - line->height_mm / 2);
+        high = fmax(high, line->at.y + line->height_mm / 2);
+    }
+    return (ktg_vec2){label->at.x, low + high - label->at.y};
+}
+
 /* Saves cairo's state and moves to the label; false (and nothing to restore) when it is empty. A
  * number keeps its turn, and has a dot where it could be misread; a name is turned so that it can
  * be read. */
@@ -36,7 +54,8 @@ static bool begin_label(const ktg_page *page, const ktg_pattern_placement *place
     if (!*placed->text || !(label->height_mm > 0))
         return false;
     double angle = label->rotation + placement->rotation;
-    ktg_vec2 at = ktg_page_point(page, ktg_page_motion(placement), label->at);
+    ktg_vec2 spot = label->edge == KTG_NONE ? turned_place(page, placement, label) : label->at;
+    ktg_vec2 at = ktg_page_point(page, ktg_page_motion(placement), spot);
     cairo_save(page->cairo);
     ktg_text_set(page->cairo, KTG_FACE_PLAIN, label->height_mm);
     double width = ktg_text_width(page->cairo, placed->text);
