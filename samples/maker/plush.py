@@ -154,8 +154,8 @@ def add_flipper(whale, upper, lower):
                                   for c in FLIPPER]
     # The drawing's corners are put onto the seam as it is.
     front_edge[0], rear_edge[0] = front, rear
-    whale.use(group="flipper_left", material="sea")
-    add_cushion(whale, upper, lower, front_edge, tip, rear_edge)
+    add_cushion(whale, ("flipper_left_top", "flipper_left_bottom"),
+                upper, lower, front_edge, tip, rear_edge)
 
 
 def add_fluke(whale, ring):
@@ -167,17 +167,20 @@ def add_fluke(whale, ring):
         return (p[0], height, TAIL_Z - p[1])
 
     notch, trailing, leading = [[place(p) for p in bezier(*c)] for c in FLUKE]
-    whale.use(group="fluke", material="sea")
-    add_cushion(whale, lower, upper, notch, trailing, leading)
+    # These lips run from left to right, so the sheet below comes first.
+    add_cushion(whale, ("fluke_bottom", "fluke_top"),
+                lower, upper, notch, trailing, leading)
 
 
-def add_cushion(whale, above, below, left, end, right):
+def add_cushion(whale, groups, above, below, left, end, right):
     """Two sheets from the lips of a slit to a common outline.
 
+    The first sheet looks towards its observer when the lips run from the
+    bottom to the top and the cushion lies on their right.
     Sheets share the points of the outline, but on the plane x = 0, where
     the cushion goes on in its mirror image.
     """
-    columns, base = len(above) - 1, whale.label.group
+    columns = len(above) - 1
     middles = [vec.mean([whale.points[a], whale.points[b]])
                for a, b in zip(above, below)]
     swells = [vec.scale(vec.sub(whale.points[a], whale.points[b]), 0.5)
@@ -195,9 +198,9 @@ def add_cushion(whale, above, below, left, end, right):
             shared = vec.length(swell) < 1e-9
             lower.append(upper[-1] if shared else
                          whale.point(vec.sub(at, swell)))
-        whale.use(group=base + "_top")
+        whale.use(group=groups[0], material="sea")
         whale.strip(upper, above)
-        whale.use(group=base + "_bottom")
+        whale.use(group=groups[1], material="sea")
         whale.strip(below, lower)
         above, below = upper, lower
     whale.triangulate()
