@@ -42,19 +42,12 @@ static ktg_status make_shape(ktg_context *context, const ktg_topology *t, uint32
     return KTG_OK;
 }
 
-static double distance_to_segment(ktg_vec2 p, ktg_vec2 a, ktg_vec2 b) {
-    ktg_vec2 ab = ktg_sub2(b, a), ap = ktg_sub2(p, a);
-    double square = ktg_dot2(ab, ab);
-    double t = square > 0 ? fmax(0, fmin(1, ktg_dot2(ap, ab) / square)) : 0;
-    return ktg_length2(ktg_sub2(ap, ktg_mul2(ab, t)));
-}
-
 static bool near_border(ktg_grid *grid, const shape *s, ktg_vec2 p) {
     ktg_box box = ktg_box_grown((ktg_box){p, p}, SAME_MM);
     uint32_t found = ktg_grid_query(grid, box);
     for (uint32_t k = 0; k < found; k++) {
         uint32_t i = grid->found[k];
-        if (distance_to_segment(p, s->points[i], s->points[(i + 1) % s->count]) <= SAME_MM)
+        if (ktg_distance_to_segment(p, s->points[i], s->points[(i + 1) % s->count]) <= SAME_MM)
             return true;
     }
     return false;
