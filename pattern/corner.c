@@ -136,10 +136,12 @@ bool ktg_dart_cap(const ktg_corner *before, const ktg_corner *after, ktg_vec2 le
                   ktg_vec2 leg_out, ktg_vec2 point, ktg_vec2 cap[3]) {
     ktg_vec2 a = before->at, b = after->at, d = before->along[0], e = after->along[1];
     ktg_vec2 middle = ktg_mul2(ktg_add2(a, b), 0.5), axis = ktg_sub2(middle, point);
-    if (ktg_cross2(d, leg_in) < 0.5 || ktg_cross2(leg_out, e) < 0.5)
+    if (ktg_cross2(d, leg_in) < 0.5 || ktg_cross2(e, leg_out) < 0.5)
         return false;
     cap[0] = ktg_meeting_point(shifted(before, 0), d, a, leg_in);
     cap[2] = ktg_meeting_point(shifted(after, 1), e, b, leg_out);
+    if (ktg_dot2(ktg_sub2(cap[0], a), leg_in) > 0 || ktg_dot2(ktg_sub2(cap[2], b), leg_out) > 0)
+        return false;
     ktg_vec2 from_a = ktg_madd2(d, -2 * ktg_dot2(d, leg_in), leg_in);
     ktg_vec2 from_b = ktg_madd2(e, -2 * ktg_dot2(e, leg_out), leg_out);
     if (fabs(ktg_cross2(from_a, ktg_unit2(axis))) < 0.1 ||

@@ -103,8 +103,10 @@ static ktg_status find_twin(ktg_context *context, ktg_cloth *cloth, const shape 
     for (uint32_t q = 0; q < p && cloth->twins[p].piece == KTG_NONE; q++) {
         if (cloth->twins[q].piece != KTG_NONE)
             continue;
-        for (int mirrored = 1; mirrored >= 0 && cloth->twins[p].piece == KTG_NONE; mirrored--)
-            KTG_TRY(try_mirror(context, shapes, p, q, mirrored, &cloth->twins[p]));
+        /* to a symmetric piece a mirror image is a copy */
+        bool mirrored = cloth->selves[q].piece == KTG_NONE;
+        for (int k = 0; k < 2 && cloth->twins[p].piece == KTG_NONE; k++)
+            KTG_TRY(try_mirror(context, shapes, p, q, mirrored == (k == 0), &cloth->twins[p]));
     }
     ktg_pattern_piece *piece = &cloth->pattern->pieces[p];
     const ktg_mirror *twin = &cloth->twins[p];
