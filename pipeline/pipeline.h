@@ -71,7 +71,7 @@ typedef struct ktg_pipeline_options {
     ktg_flatten_options flatten;
     ktg_finish_options finish;
     ktg_layout_options layout; /* what unfold.seconds leaves limits its time */
-    ktg_render_options render; /* its `up` is set by the run */
+    ktg_render_options render; /* its `up` and strain_limit are set by the run */
 
     const char *const *outputs; /* output_count paths, kinds by ending: .pdf .svg .png .json; "-" is
                                    PDF on standard output. A PNG shows all sheets, an SVG of several

@@ -22,6 +22,8 @@ typedef struct ktg_render_options {
     unsigned up;          /* which axis of the model is height: 0 x, 1 y, 2 z; 1 */
     bool
         colour; /* mountain red, valley blue; the dashes tell them apart without it; default true */
+    bool strain_map;     /* cloth: the PDF ends with a page that shows where it strains; true */
+    double strain_limit; /* of that page's colours; 0.05 */
 } ktg_render_options;
 
 KTG_API void ktg_render_defaults(ktg_render_options *options);
