@@ -257,6 +257,23 @@ static bool set_black(settings *s, const char *text) {
     return true;
 }
 
+static bool set_svg_unit(settings *s, const char *text) {
+    static const char *const units[] = {"mm", "px72", "px96", NULL};
+    int unit = word_index(text, units);
+    s->pipeline.render.svg_unit = unit >= 0 ? (ktg_svg_unit)unit : KTG_SVG_MM;
+    return unit >= 0;
+}
+
+static bool set_real_dashes(settings *s, const char *text) {
+    (void)text;
+    return s->pipeline.render.real_dashes = true;
+}
+
+static bool set_registration(settings *s, const char *text) {
+    (void)text;
+    return s->pipeline.render.registration = true;
+}
+
 static bool set_allowance(settings *s, const char *text) {
     return cli_parse_length(text, &s->pipeline.finish.allowance_mm) &&
            s->pipeline.finish.allowance_mm <= 1000;
@@ -459,6 +476,12 @@ static const option_line lines[] = {
     {"time", 0, "SECONDS", CMD_UNFOLD, set_time, "stop searching after that time"},
     {"black", 0, NULL, PAPER, set_black, "no colours"},
     {"dpi", 0, "N", PAPER, set_dpi, "resolution of PNG pictures (150)"},
+    {"svg-unit", 0, "mm|px72|px96", PAPER, set_svg_unit,
+     "what a unit of an SVG is, for cutters that read pixels (mm)"},
+    {"real-dashes", 0, NULL, PAPER, set_real_dashes,
+     "SVG, DXF: dashes are short lines of their own, for cutters that know no others"},
+    {"registration", 0, NULL, PAPER, set_registration,
+     "marks in the margins by which a cutter finds the print"},
     {"report", 0, "FILE.json", PAPER, set_report, "write the figures of the run"},
     {"quiet", 'q', NULL, EVERY, set_quiet, "say nothing but errors"},
     {"help", 'h', NULL, EVERY, set_help, "show this"},
