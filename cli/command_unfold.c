@@ -45,21 +45,31 @@ static const char *plural(uint32_t count) {
     return count == 1 ? "" : "s";
 }
 
-static void tell_strain(const ktg_flatten_report *f) {
-    if (f->flipped_by_arap > 0)
+static void tell_method(const ktg_panel_report *whole) {
+    if (whole->flipped_by_arap > 0)
         fprintf(stderr,
                 "as rigid as possible, %u face%s would fold over: flattened without folds "
                 "(injective)\n",
-                f->flipped_by_arap, plural(f->flipped_by_arap));
-    if (f->crossed_by_arap)
+                whole->flipped_by_arap, plural(whole->flipped_by_arap));
+    if (whole->crossed_by_arap)
         fputs("as rigid as possible, the panel would lie on itself: flattened otherwise "
               "(injective)\n",
               stderr);
+}
+
+static void tell_strain(const ktg_flatten_report *f, const settings *s) {
+    const ktg_panel_report *whole = &f->whole;
+    tell_method(whole);
     fprintf(stderr, "strain: mean %.2f %%, 95 %% of the area below %.2f %%, largest %.2f %%\n",
-            100 * f->strain_mean, 100 * f->strain_p95, 100 * f->strain_max);
-    fprintf(stderr, "%.1f %% of the area is strained more than %.4g %%; the border is %.2f %% %s\n",
-            100 * f->area_beyond_limit, 100 * f->strain_limit, 100 * fabs(f->border_error),
-            f->border_error < 0 ? "too short" : "too long");
+            100 * whole->strain_mean, 100 * whole->strain_p95, 100 * whole->strain_max);
+    if (s->pipeline.flatten.fabric)
+        fprintf(stderr, "%.1f %% of the area is strained more than the fabric bears",
+                100 * whole->area_beyond_limit);
+    else
+        fprintf(stderr, "%.1f %% of the area is strained more than %.4g %%",
+                100 * whole->area_beyond_limit, 100 * f->strain_limit);
+    fprintf(stderr, "; the border is %.2f %% %s\n", 100 * fabs(whole->border_error),
+            whole->border_error < 0 ? "too short" : "too long");
 }
 
 /* Called before the files are in place: the last words are their names. */
@@ -85,7 +95,7 @@ static void tell_result(void *user, const ktg_pipeline_report *r) {
             "finished size %.0f x %.0f x %.0f mm (width x height x length), %.4g mm per unit\n",
             r->size_mm.x, r->size_mm.y, r->size_mm.z, r->mm_per_unit);
     if (s->pipeline.mode == KTG_CLOTH)
-        tell_strain(&r->flatten);
+        tell_strain(&r->flatten, s);
     else if (s->pipeline.finish.tab_height_mm > 0)
         fprintf(stderr, "%u seam%s; tabs: %u full, %u reduced, %u without room (butt joints)\n",
                 r->finish.seams, plural(r->finish.seams), r->finish.tabs_full,

@@ -109,10 +109,14 @@ typedef struct ktg_pipeline_report {
     double seconds, seconds_unfold;
 } ktg_pipeline_report;
 
+/* Gives back what the report owns (flatten.panels); the figures stay. */
+KTG_API void ktg_pipeline_report_free(ktg_pipeline_report *report);
+
 /* Reads, leaves out, repairs, simplifies, unfolds (or flattens), scales, finishes, lays out,
  * renders and writes. All outputs are written beside their places first, brought to the disk and
  * then renamed together: when anything fails, no file is touched. The log says which files were
- * written. `report` may be NULL; after a failure it holds what was known by then. KTG_ARGUMENT for
+ * written. `report` may be NULL; after a failure it holds what was known by then;
+ * it is freed by ktg_pipeline_report_free either way. KTG_ARGUMENT for
  * options that make no sense, an ending that is not known, a file that is to be written twice or is
  * the model. */
 KTG_API KTG_NODISCARD ktg_status ktg_pipeline_run(ktg_context *context,

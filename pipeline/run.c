@@ -118,6 +118,11 @@ static ktg_status run(ktg_context *context, const ktg_pipeline_options *options,
     return ktg_outputs_commit(context, &j->outputs);
 }
 
+void ktg_pipeline_report_free(ktg_pipeline_report *report) {
+    if (report)
+        ktg_flatten_report_free(&report->flatten);
+}
+
 ktg_status ktg_pipeline_run(ktg_context *context, const ktg_pipeline_options *options,
                             ktg_pipeline_report *report) {
     ktg_pipeline_report own = {0};
@@ -126,6 +131,8 @@ ktg_status ktg_pipeline_run(ktg_context *context, const ktg_pipeline_options *op
     own.seconds = ktg_clock_seconds() - j.start;
     if (report)
         *report = own;
+    else
+        ktg_pipeline_report_free(&own);
     ktg_outputs_discard(&j.outputs);
     ktg_pattern_free(&j.pattern);
     ktg_mesh_free(&j.mesh);

@@ -48,7 +48,9 @@ static ktg_status unfold(ktg_context *context, const ktg_stage *stage, ktg_patte
 
 static ktg_status flatten(ktg_context *context, const ktg_stage *stage, ktg_pattern **pattern) {
     ktg_progress(context, "flatten", 0, NULL);
-    return ktg_flatten(context, stage->mesh, stage->title, &stage->options->flatten, pattern,
+    ktg_flatten_options flatten = stage->options->flatten;
+    flatten.up = (unsigned)(ktg_size_up(stage->options) - KTG_AXIS_X);
+    return ktg_flatten(context, stage->mesh, stage->title, &flatten, pattern,
                        &stage->report->flatten);
 }
 
