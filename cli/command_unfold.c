@@ -8,21 +8,18 @@
 static const char unfold_usage[] =
     "usage: katagami unfold MODEL [-o FILE]... [options]\n\n"
     "Unfolds a model (OBJ, STL, PLY, OFF) into paper pieces with glue tabs, on sheets to be\n"
-    "printed at 100 %. Without -o it writes NAME.pdf beside the model; .pdf, .svg, .png and .json\n"
-    "can be written, '-' is PDF on standard output. A model of more than 500 faces is simplified\n"
-    "to 500 unless --faces says otherwise. Without a size the model becomes as large as one sheet\n"
-    "allows. Lengths take mm, cm, m, in; bare numbers are millimetres.\n"
+    "printed at 100 %. Without -o it writes NAME.pdf beside the model; .pdf, .svg, .dxf, .png and\n"
+    ".json can be written, '-' is PDF on standard output. A model of more than 500 faces is\n"
+    "simplified to 500 unless --faces says otherwise. Without a size the model becomes as large\n"
+    "as one sheet allows. Lengths take mm, cm, m, in; bare numbers are millimetres.\n"
     "Ctrl-C ends the search and writes the best so far; a second one stops at once.\n\n";
 
 static const char flatten_usage[] =
     "usage: katagami flatten PANEL --unit mm|cm|m|in [-o FILE]... [options]\n\n"
-    "Flattens one disk-like cloth panel as rigidly as it can and adds a seam allowance. Where "
-    "that\n"
-    "would fold faces over, it flattens without folds instead. Without -o it writes NAME.pdf "
-    "beside\n"
-    "the model; .pdf, .svg, .png and .json can be written. Cloth needs a size: the model's unit, "
-    "or\n"
-    "the height, width or length of the finished thing.\n\n";
+    "Flattens one disk-like cloth panel as rigidly as it can and adds a seam allowance. Where\n"
+    "that would fold faces over, it flattens without folds instead. Without -o it writes\n"
+    "NAME.pdf beside the model; .pdf, .svg, .dxf, .png and .json can be written. Cloth needs a\n"
+    "size: the model's unit, or the height, width or length of the finished thing.\n\n";
 
 /* NAME.pdf beside the model. Free with free(). */
 static char *default_output(const char *model) {

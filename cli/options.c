@@ -269,6 +269,11 @@ static bool set_real_dashes(settings *s, const char *text) {
     return s->pipeline.render.real_dashes = true;
 }
 
+static bool set_plain_dxf(settings *s, const char *text) {
+    (void)text;
+    return s->pipeline.render.plain_dxf = true;
+}
+
 static bool set_registration(settings *s, const char *text) {
     (void)text;
     return s->pipeline.render.registration = true;
@@ -480,6 +485,8 @@ static const option_line lines[] = {
      "what a unit of an SVG is, for cutters that read pixels (mm)"},
     {"real-dashes", 0, NULL, PAPER, set_real_dashes,
      "SVG, DXF: dashes are short lines of their own, for cutters that know no others"},
+    {"plain-dxf", 0, NULL, CMD_FLATTEN, set_plain_dxf,
+     "a DXF for cutters, one for each sheet, instead of one for garment CAD (ASTM D6673)"},
     {"registration", 0, NULL, PAPER, set_registration,
      "marks in the margins by which a cutter finds the print"},
     {"report", 0, "FILE.json", PAPER, set_report, "write the figures of the run"},

@@ -73,10 +73,11 @@ typedef struct ktg_pipeline_options {
     ktg_layout_options layout; /* what unfold.seconds leaves limits its time */
     ktg_render_options render; /* its `up` is set by the run */
 
-    const char *const *outputs; /* output_count paths, kinds by ending: .pdf .svg .png .json; "-" is
-                                   PDF on standard output. A PNG shows all sheets, an SVG of several
-                                   becomes NAME-01.svg, NAME-02.svg, ...; with "%d" in its name
-                                   either becomes a file for each sheet, its number in that place */
+    const char *const *outputs; /* output_count paths, kinds by ending: .pdf .svg .dxf .png .json;
+                                   "-" is PDF on standard output. A PNG shows all sheets, an SVG or
+                                   a DXF of several becomes NAME-01.svg, NAME-02.svg, ... (of cloth
+                                   a DXF is one, unless render.plain_dxf); with "%d" in its name any
+                                   becomes a file for each sheet, its number in that place */
     size_t output_count;
     const char *report; /* where the figures go as JSON, or NULL; one of the outputs in every other
                            way */

@@ -137,6 +137,8 @@ ktg_status ktg_plot_write(ktg_plot *plot, const ktg_plot_text *text) {
     added->text = ktg_copy_text(context, clean, SIZE_MAX);
     if (!added->text)
         return KTG_MEMORY;
+    ktg_text_set(plot->page.cairo, KTG_FACE_PLAIN, text->height_mm);
+    added->width = ktg_text_width(plot->page.cairo, clean);
     plot->text_count++;
     return KTG_OK;
 }

@@ -50,6 +50,7 @@ typedef struct ktg_plot_text {
     ktg_vec2 at; /* its middle, or, where it begins there, the foot of its first letter */
     bool begins;
     double angle, height_mm; /* counter-clockwise; of a digit */
+    double width;            /* in mm, as far as one knows; set by ktg_plot_write */
 } ktg_plot_text;
 
 typedef struct ktg_plot {

@@ -31,6 +31,7 @@ typedef struct ktg_render_options {
         colour; /* mountain red, valley blue; the dashes tell them apart without it; default true */
     ktg_svg_unit svg_unit; /* millimetres */
     bool real_dashes;      /* SVG, DXF: dashes are short paths of their own; default false */
+    bool plain_dxf;    /* of cloth too, a DXF is for cutters, not for garment CAD; default false */
     bool registration; /* marks in the margins by which a cutter finds the print; default false */
 } ktg_render_options;
 
@@ -59,6 +60,18 @@ KTG_API KTG_NODISCARD ktg_status ktg_render_svg(ktg_context *context, const ktg_
 KTG_API KTG_NODISCARD ktg_status ktg_render_png(ktg_context *context, const ktg_pattern *pattern,
                                                 size_t sheet, const ktg_render_options *options,
                                                 ktg_output *output);
+
+/* One sheet as DXF (Release 12, ASCII, a unit is a millimetre) for a cutting machine: what the SVG
+ * holds, in layers. */
+KTG_API KTG_NODISCARD ktg_status ktg_render_dxf(ktg_context *context, const ktg_pattern *pattern,
+                                                size_t sheet, const ktg_render_options *options,
+                                                ktg_output *output);
+
+/* The whole pattern as DXF for garment CAD, after ASTM D6673: a block for each piece, numbered
+ * layers; inserted where the pieces lie on the sheets, which lie side by side. */
+KTG_API KTG_NODISCARD ktg_status ktg_render_astm(ktg_context *context, const ktg_pattern *pattern,
+                                                 const ktg_render_options *options,
+                                                 ktg_output *output);
 
 /* All pages in one PNG for a quick look: side by side in rows, no larger than 3000 pixels a side
  * and at most at options->dots_per_inch. */

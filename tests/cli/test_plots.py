@@ -41,6 +41,18 @@ class Bench:
         if not shutil.which(program):
             raise Skipped(program + ' is not installed')
 
+    def check_dxf(self, *words):
+        """Runs check_dxf.py with a Python that has ezdxf: Debian's, where this one has not."""
+        script = str(pathlib.Path(__file__).parent / 'check_dxf.py')
+        for python in (sys.executable, '/usr/bin/python3'):
+            if not shutil.which(python):
+                continue
+            ran = subprocess.run([python, script, *map(str, words)], cwd=self.here, capture_output=True, text=True)
+            if ran.returncode != 77:
+                expect((ran.stdout + ran.stderr).splitlines() if ran.returncode else [])
+                return
+        raise Skipped('ezdxf is not installed')
+
     def make(self, name, command, model, *words, ending='.svg'):
         """Runs it; the pattern, and its files of that kind with their sheets."""
         self.run(command, model, '-o', name + '.json', '-o', name + ending, *words)
@@ -166,10 +178,27 @@ def inkscape_finds_layers_and_sizes(bench):
     expect(['layers are missing'] if not {'mountain', 'valley', 'tab-folds', 'text'} <= set(boxes) else [])
 
 
+def a_dxf_of_paper_holds_the_same(bench):
+    for model, words in (('fox.obj', ()), ('robot.obj', ('--height', '20cm'))):
+        _, files = bench.make('l', 'unfold', model, *QUICK, *words, ending='.dxf')
+        bench.check_dxf('layers', 'l.json', *(path for path, _ in files))
+    _, files = bench.make('l', 'unfold', 'fox.obj', *QUICK, '--real-dashes', ending='.dxf')
+    bench.check_dxf('layers', 'l.json', 'dashed', files[0][0])
+
+
+def a_dxf_of_cloth_is_one_file_after_astm(bench):
+    bench.run('flatten', 'blouse-front.obj', '--unit', 'cm', '-o', 'm.dxf', '-o', 'm.json')
+    bench.check_dxf('astm', 'm.json', 'm.dxf')
+    expect(['a file for each sheet'] if (bench.here / 'm-01.dxf').exists() else [])
+    bench.make('n', 'flatten', 'blouse-front.obj', '--unit', 'cm', '--paper', 'a0', '--plain-dxf', ending='.dxf')
+    bench.check_dxf('layers', 'n.json', 'n.dxf')
+
+
 TESTS = [every_line_of_a_sheet_is_in_its_layer_once, a_cloth_panel_has_its_layers,
          real_dashes_are_paths_of_their_own, units_are_what_was_asked_for, marks_have_layers_of_their_own,
          without_colours_all_is_black, names_cannot_break_the_xml, a_poster_is_cut_off_at_the_sheets_edges,
-         a_path_goes_on_where_it_can, librsvg_draws_it_at_its_size, inkscape_finds_layers_and_sizes]
+         a_path_goes_on_where_it_can, librsvg_draws_it_at_its_size, inkscape_finds_layers_and_sizes,
+         a_dxf_of_paper_holds_the_same, a_dxf_of_cloth_is_one_file_after_astm]
 
 
 def main():

@@ -159,10 +159,10 @@ static void a_pdf_says_what_it_is(void **state) {
 }
 
 static void the_same_pattern_gives_the_same_bytes(void **state) {
-    static const char *const kinds[] = {"pdf", "svg", "png", "contact"};
+    static const char *const kinds[] = {"pdf", "svg", "png", "contact", "dxf", "astm"};
     ktg_context *context = *state;
     ktg_pattern *pattern = two_on_a4(context);
-    for (size_t k = 0; k < 4; k++) {
+    for (size_t k = 0; k < 6; k++) {
         char *first, *second;
         size_t first_size, second_size;
         assert_int_equal(render_bytes(context, pattern, kinds[k], 1, NULL, &first, &first_size),
@@ -194,6 +194,28 @@ static void an_svg_is_in_millimetres(void **state) {
     assert_int_equal(count_text(outline, (size_t)(end - outline), "L"), 6);
     assert_int_equal(count_text(bytes, size, "inkscape:groupmode=\"layer\""), 7);
     assert_non_null(strstr(bytes, "</svg>"));
+    ktg_free(bytes);
+    ktg_pattern_free(&pattern);
+}
+
+/* Groups of a DXF: a code and a value, a line each. */
+static void a_dxf_says_its_text_so_that_all_can_read_it(void **state) {
+    ktg_context *context = *state;
+    ktg_render_options options;
+    ktg_render_defaults(&options);
+    options.title = "a%%d ^J\n\xc3\xbc\xf0\x9f\xa6\x8a";
+    ktg_pattern *pattern = two_on_a4(context);
+    char *bytes;
+    size_t size;
+    assert_int_equal(render_bytes(context, pattern, "dxf", 0, &options, &bytes, &size), KTG_OK);
+    assert_non_null(strstr(bytes, "\r\n  1\r\na%%%%d ^ J \\U+00FC? - sheet 1 of 2 - "));
+    assert_non_null(strstr(bytes, "  9\r\n$ACADVER\r\n  1\r\nAC1009\r\n"));
+    assert_int_equal(count_text(bytes, size, "POLYLINE\r\n  8\r\nCUT\r\n"), 1);
+    ktg_free(bytes);
+    assert_int_equal(render_bytes(context, pattern, "astm", 0, &options, &bytes, &size), KTG_OK);
+    assert_non_null(strstr(bytes, "Style Name: a%%%%d ^ J ??\r\n"));
+    assert_int_equal(count_text(bytes, size, "  0\r\nBLOCK\r\n"), 2);
+    assert_non_null(strstr(bytes, "  2\r\nSTRIP_2\r\n"));
     ktg_free(bytes);
     ktg_pattern_free(&pattern);
 }
@@ -326,10 +348,10 @@ static void a_full_disk_is_told(void **state) {
 }
 
 static void short_memory_is_survived(void **state) {
-    static const char *const kinds[] = {"pdf", "svg", "png", "contact"};
+    static const char *const kinds[] = {"pdf", "svg", "png", "contact", "dxf", "astm"};
     ktg_context *context = *state;
     ktg_pattern *pattern = two_on_a4(context);
-    for (size_t k = 0; k < 4; k++) {
+    for (size_t k = 0; k < 6; k++) {
         ktg_status status = KTG_MEMORY;
         for (uint64_t nth = 1; status != KTG_OK && nth < 200; nth++) {
             char *bytes;
@@ -374,6 +396,8 @@ int main(void) {
         cmocka_unit_test_setup_teardown(the_same_pattern_gives_the_same_bytes, make_context,
                                         drop_context),
         cmocka_unit_test_setup_teardown(an_svg_is_in_millimetres, make_context, drop_context),
+        cmocka_unit_test_setup_teardown(a_dxf_says_its_text_so_that_all_can_read_it, make_context,
+                                        drop_context),
         cmocka_unit_test_setup_teardown(any_title_will_do, make_context, drop_context),
         cmocka_unit_test_setup_teardown(one_picture_shows_all_sheets, make_context, drop_context),
         cmocka_unit_test_setup_teardown(what_cannot_be_drawn_is_refused, make_context,
