@@ -286,6 +286,10 @@ static ktg_status read_seam(const ktg_json *object, const ktg_json_reader *r, ui
     seam->obvious = item.value && json_is_true(item.value);
     KTG_TRY(ktg_json_get_optional(object, "dart", KTG_JSON_BOOLEAN, &item));
     seam->dart = item.value && json_is_true(item.value);
+    seam->number = index + 1;
+    KTG_TRY(ktg_json_get_optional(object, "number", KTG_JSON_INTEGER, &item));
+    if (item.value)
+        KTG_TRY(ktg_json_count(object, "number", KTG_JSON_MOST_COUNT, &seam->number));
     KTG_TRY(read_notches(object, seam));
     KTG_TRY(ktg_json_item(&sides, 0, KTG_JSON_OBJECT, &side));
     KTG_TRY(ktg_json_get(&side, "edges", KTG_JSON_ARRAY, &list));

@@ -372,6 +372,10 @@ static void write_seam(writer *w, const ktg_pattern_seam *seam, size_t id) {
     }
     put(w, seam->obvious ? "],\"obvious\":true" : "]");
     put(w, seam->dart ? ",\"dart\":true" : "");
+    if (seam->number != id) {
+        put(w, ",\"number\":");
+        count(w, seam->number);
+    }
     if (seam->notch_count > 0)
         write_notches(w, seam);
     put(w, "}");

@@ -146,6 +146,8 @@ static ktg_status sort_seams(ktg_context *context, const ktg_topology *t, ktg_pa
     ktg_free(pattern->seams);
     pattern->seams = sorted;
     for (size_t s = 0; s < count; s++)
+        sorted[s].number = (uint32_t)s + 1;
+    for (size_t s = 0; s < count; s++)
         for (uint32_t k = 0; k < sorted[s].edge_count; k++)
             pattern->edges[sorted[s].edges[k]].seam = (uint32_t)s;
     return KTG_OK;

@@ -1,5 +1,6 @@
 /* pipeline/sheets.c - scale, finish, lay out; several pieces grow until they fill one sheet. */
 #include "pipeline/sheets.h"
+#include "pipeline/printed.h"
 #include "pipeline/size.h"
 
 #include "core/clock.h"
@@ -27,13 +28,27 @@ static double seconds_left(const task *t) {
 }
 
 /* On sheets, on posters too, or on one page. */
-static ktg_status lay_out(const task *t, const ktg_layout_options *layout, ktg_pattern *pattern,
-                          ktg_layout_report *report) {
+static ktg_status lay_out_all(const task *t, const ktg_layout_options *layout, ktg_pattern *pattern,
+                              ktg_layout_report *report) {
     if (ktg_layout_is_page(&layout->sheet))
         return ktg_layout_page(t->context, pattern, layout, report);
     if (t->options->large == KTG_LARGE_TILE && !layout->roll)
         return ktg_layout_tile(t->context, pattern, layout, t->options->overlap_mm, report);
     return ktg_layout_place(t->context, pattern, layout, report);
+}
+
+static ktg_status lay_out(const task *t, const ktg_layout_options *layout, ktg_pattern *pattern,
+                          ktg_layout_report *report) {
+    ktg_printed printed;
+    if (pattern->mode == KTG_PAPER)
+        return lay_out_all(t, layout, pattern, report);
+    ktg_status status = ktg_printed_view(t->context, pattern, &printed);
+    if (status == KTG_OK)
+        status = lay_out_all(t, layout, &printed.view, report);
+    if (status == KTG_OK)
+        ktg_printed_take_sheets(&printed, pattern);
+    ktg_printed_drop(&printed);
+    return status;
 }
 
 static ktg_status put(const task *t, const ktg_layout_options *wish, double mm_per_unit,

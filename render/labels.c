@@ -21,13 +21,32 @@ static ktg_vec2 within_printable(const ktg_page *page, ktg_vec2 at, double angle
                       fmax(fmin(at.y, area.y1 - y), area.y0 + y)};
 }
 
+/* Level lines of a name stand below each other, and do so too when each is turned over to be read:
+ * then they change places, about the middle of them all. */
+static ktg_vec2 turned_place(const ktg_page *page, const ktg_pattern_placement *placement,
+                             const ktg_pattern_label *label) {
+    const ktg_pattern_piece *piece = &page->drawing->pattern->pieces[placement->piece];
+    double low = INFINITY, high = -INFINITY;
+    if (label->rotation != 0 || !upside_down(placement->rotation))
+        return label->at;
+    for (size_t i = 0; i < piece->label_count; i++) {
+        const ktg_pattern_label *line = &piece->labels[i];
+        if (line->edge != KTG_NONE || line->rotation != 0 || line->at.x != label->at.x)
+            continue;
+        low = fmin(low, line->at.y - line->height_mm / 2);
+        high = fmax(high, line->at.y + line->height_mm / 2);
+    }
+    return (ktg_vec2){label->at.x, low + high - label->at.y};
+}
+
 bool ktg_label_place(const ktg_page *page, const ktg_pattern_placement *placement,
                      const ktg_pattern_label *label, ktg_placed_label *placed) {
     ktg_text_clean(label->text, sizeof label->text, placed->text, sizeof placed->text);
     if (!*placed->text || !(label->height_mm > 0))
         return false;
     placed->angle = label->rotation + placement->rotation;
-    placed->at = ktg_page_point(page, ktg_page_motion(placement), label->at);
+    ktg_vec2 spot = label->edge == KTG_NONE ? turned_place(page, placement, label) : label->at;
+    placed->at = ktg_page_point(page, ktg_page_motion(placement), spot);
     ktg_text_set(page->cairo, KTG_FACE_PLAIN, label->height_mm);
     placed->width = ktg_text_width(page->cairo, placed->text);
     if (label->edge != KTG_NONE)

@@ -124,6 +124,7 @@ static ktg_pattern *make_pattern(ktg_context *context) {
     p->seams[0].pieces[0] = 1;
     p->seams[0].obvious = true;
     p->seams[0].dart = true;
+    p->seams[0].number = 7;
     ktg_pattern_notch notches[2] = {{1.0 / 3, 1}, {0.7, 3}};
     p->seams[0].notch_count = 2;
     p->seams[0].notches = ktg_copy_array(context, notches, 2, sizeof *notches);
@@ -248,6 +249,7 @@ static void assert_same_seam(const ktg_pattern_seam *a, const ktg_pattern_seam *
     assert_memory_equal(a->lengths_mm, b->lengths_mm, sizeof a->lengths_mm);
     assert_int_equal(a->obvious, b->obvious);
     assert_int_equal(a->dart, b->dart);
+    assert_int_equal(a->number, b->number);
     assert_int_equal(a->notch_count, b->notch_count);
     for (size_t i = 0; i < a->notch_count; i++) {
         assert_true(a->notches[i].at == b->notches[i].at);
@@ -413,10 +415,11 @@ static bool may_miss(const char *way) {
     if (strstr(way, ".labels["))
         return !strcmp(key, ".rotation_deg") || !strcmp(key, ".height_mm") ||
                !strcmp(key, ".edge") || !strcmp(key, ".leader");
-    return key && (!strcmp(key, ".size") || !strcmp(key, ".omitted") || !strcmp(key, ".tile") ||
-                   !strcmp(key, ".obvious") || !strcmp(key, ".dart") || !strcmp(key, ".notches") ||
-                   !strcmp(key, ".on_fold") || !strcmp(key, ".forced") ||
-                   !strcmp(key, ".face_strain") || !strcmp(key, ".first_side"));
+    return key &&
+           (!strcmp(key, ".size") || !strcmp(key, ".omitted") || !strcmp(key, ".tile") ||
+            !strcmp(key, ".obvious") || !strcmp(key, ".dart") || !strcmp(key, ".number") ||
+            !strcmp(key, ".notches") || !strcmp(key, ".on_fold") || !strcmp(key, ".forced") ||
+            !strcmp(key, ".face_strain") || !strcmp(key, ".first_side"));
 }
 
 static size_t damage_below(fixture *f, const json_t *root, json_t *value, const char *way);

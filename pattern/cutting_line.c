@@ -1,0 +1,204 @@
+/* pattern/cutting_line.c - the outline of a piece of cloth: its border moved out by the allowance
+ * of each edge, cleaned where it crosses itself. */
+#include "core/memory.h"
+#include "pattern/corner.h"
+#include "pattern/offset_walk.h"
+
+/* How much widths are changed, relative, when curves that only touch confuse the walk, and how
+ * often that is tried. */
+#define NUDGE  1e-5
+#define NUDGES 8
+
+typedef struct cut {
+    const ktg_topology *t;
+    const ktg_finish_options *options;
+    double nudge;
+    ktg_vec2 *points;
+    size_t count, capacity;
+} cut;
+
+static ktg_status put(ktg_context *context, cut *c, ktg_vec2 p) {
+    KTG_TRY(ktg_reserve(context, &c->points, &c->capacity, c->count + 1));
+    c->points[c->count++] = p;
+    return KTG_OK;
+}
+
+/* ---- corners ------------------------------------------------------------------------------ */
+
+static void set_side(const cut *c, uint32_t h, int side, ktg_corner *corner) {
+    corner->along[side] = ktg_along(c->t, h);
+    corner->width[side] = c->nudge * ktg_allowance_at(c->t, c->options, h);
+    corner->hem[side] = ktg_edge_at(c->t, h)->kind == KTG_EDGE_BORDER;
+}
+
+/* The corner from border half-edge h to `next`, without the other pieces' wishes. */
+static ktg_corner corner_between(const cut *c, uint32_t h, uint32_t next) {
+    ktg_corner corner = {.at = ktg_end_of(c->t, h)};
+    set_side(c, h, 0, &corner);
+    set_side(c, next, 1, &corner);
+    corner.reach[0] = ktg_corner_reach(&corner, 0);
+    corner.reach[1] = ktg_corner_reach(&corner, 1);
+    return corner;
+}
+
+/* How far the strip of cloth at one end of h reaches in the mate's piece, which it is sewn to. */
+static double mate_reach(const cut *c, uint32_t h, int side) {
+    uint32_t mate = ktg_mate(c->t, h);
+    if (side == 0) { /* h's end is where its mate begins */
+        ktg_corner corner = corner_between(c, ktg_border_previous(c->t, mate), mate);
+        return corner.reach[1];
+    }
+    ktg_corner corner = corner_between(c, mate, ktg_border_next(c->t, mate));
+    return corner.reach[0];
+}
+
+/* At the end of a seam its two strips of cloth are to be equally long, or they do not fit when they
+ * are sewn together: the shorter one counts. */
+static void heed_mates(const cut *c, uint32_t h, uint32_t next, ktg_corner *corner) {
+    const ktg_pattern_edge *e = ktg_edge_at(c->t, h), *f = ktg_edge_at(c->t, next);
+    if (e->kind == KTG_EDGE_CUT && e->seam == f->seam)
+        return;
+    if (e->kind == KTG_EDGE_CUT)
+        corner->reach[0] = fmin(corner->reach[0], mate_reach(c, h, 0));
+    if (f->kind == KTG_EDGE_CUT)
+        corner->reach[1] = fmin(corner->reach[1], mate_reach(c, next, 1));
+}
+
+static ktg_status put_corner(ktg_context *context, cut *c, uint32_t h, uint32_t next) {
+    ktg_corner corner = corner_between(c, h, next);
+    ktg_corner_path path;
+    heed_mates(c, h, next, &corner);
+    ktg_corner_go(&corner, &path);
+    for (uint32_t i = 0; i < path.count; i++)
+        KTG_TRY(put(context, c, path.points[i]));
+    return KTG_OK;
+}
+
+/* ---- darts -------------------------------------------------------------------------------- */
+
+/* A dart as it is passed on the way around: from the half-edge before it to the one after it. */
+typedef struct passed_dart {
+    ktg_vec2 point, cap[3];
+    bool whole; /* there is a cap */
+} passed_dart;
+
+/* The half-edge after a dart's last one; *apex: the one that comes to its point. */
+static uint32_t pass_dart(const ktg_topology *t, uint32_t first, uint32_t *apex) {
+    uint32_t seam = ktg_edge_at(t, first)->seam, h = first;
+    *apex = first;
+    for (; ktg_edge_at(t, h)->seam == seam; h = ktg_border_next(t, h))
+        if (ktg_border_next(t, h) == ktg_mate(t, h))
+            *apex = h;
+    return h;
+}
+
+static passed_dart dart_between(const cut *c, uint32_t h, uint32_t first, uint32_t apex,
+                                uint32_t after) {
+    const ktg_topology *t = c->t;
+    ktg_corner start = {.at = ktg_end_of(t, h)}, end = {.at = ktg_start_of(t, after)};
+    passed_dart dart = {.point = ktg_end_of(t, apex)};
+    uint32_t last = ktg_border_previous(t, after);
+    set_side(c, h, 0, &start);
+    set_side(c, after, 1, &end);
+    dart.whole = ktg_dart_cap(&start, &end, ktg_along(t, first), ktg_mul2(ktg_along(t, last), -1),
+                              dart.point, dart.cap);
+    return dart;
+}
+
+/* Across the mouth of one or more darts that lie between h and the next other half-edge. */
+static ktg_status put_darts(ktg_context *context, cut *c, uint32_t h, uint32_t *next) {
+    uint32_t first = *next, apex, count = 0;
+    for (; ktg_is_dart(c->t, *next); count++)
+        *next = pass_dart(c->t, *next, &apex);
+    if (count == 1) {
+        passed_dart dart = dart_between(c, h, first, apex, *next);
+        for (int i = 0; dart.whole && i < 3; i++)
+            KTG_TRY(put(context, c, dart.cap[i]));
+        if (dart.whole)
+            return KTG_OK;
+    }
+    ktg_vec2 a = ktg_outward(ktg_along(c->t, h)), b = ktg_outward(ktg_along(c->t, *next));
+    double u = ktg_allowance_at(c->t, c->options, h);
+    double v = ktg_allowance_at(c->t, c->options, *next);
+    KTG_TRY(put(context, c, ktg_madd2(ktg_end_of(c->t, h), c->nudge * u, a)));
+    return put(context, c, ktg_madd2(ktg_start_of(c->t, *next), c->nudge * v, b));
+}
+
+/* The fold in the middle of a dart, and notches at the ends of its legs. */
+static ktg_status draw_dart(ktg_context *context, const cut *c, const passed_dart *dart,
+                            ktg_pattern_piece *piece, const ktg_vec2 mouths[2]) {
+    ktg_vec2 middle = ktg_mul2(ktg_add2(mouths[0], mouths[1]), 0.5);
+    KTG_TRY(ktg_piece_add_segment(context, piece, KTG_LINE_DART, dart->point,
+                                  dart->whole ? dart->cap[1] : middle));
+    for (int k = 0; dart->whole && k < 2; k++) {
+        ktg_vec2 end = dart->cap[2 * k], in = ktg_sub2(mouths[k], end);
+        double length = fmin(c->options->notch_mm, ktg_length2(in));
+        if (length > 0)
+            KTG_TRY(ktg_piece_add_segment(context, piece, KTG_LINE_NOTCH, end,
+                                          ktg_madd2(end, length, ktg_unit2(in))));
+    }
+    return KTG_OK;
+}
+
+static ktg_status draw_darts(ktg_context *context, const cut *c, uint32_t p,
+                             ktg_pattern_piece *piece) {
+    const ktg_topology *t = c->t;
+    for (uint32_t k = t->border_first[p]; k < t->border_first[p + 1]; k++) {
+        uint32_t h = t->border[k], first = ktg_border_next(t, h), apex;
+        if (!ktg_is_dart(t, first) || ktg_edge_at(t, h)->seam == ktg_edge_at(t, first)->seam)
+            continue;
+        uint32_t after = pass_dart(t, first, &apex);
+        passed_dart dart = dart_between(c, h, first, apex, after);
+        dart.whole = dart.whole && !ktg_is_dart(t, h) && !ktg_is_dart(t, after);
+        const ktg_vec2 mouths[2] = {ktg_start_of(t, first), ktg_start_of(t, after)};
+        KTG_TRY(draw_dart(context, c, &dart, piece, mouths));
+    }
+    return KTG_OK;
+}
+
+/* ---- all the way around ------------------------------------------------------------------- */
+
+static ktg_status go_around(ktg_context *context, cut *c, uint32_t p) {
+    const ktg_topology *t = c->t;
+    c->count = 0;
+    for (uint32_t k = t->border_first[p]; k < t->border_first[p + 1]; k++) {
+        uint32_t h = t->border[k], next = ktg_border_next(t, h);
+        if (ktg_is_dart(t, h))
+            continue;
+        if (ktg_is_dart(t, next))
+            KTG_TRY(put_darts(context, c, h, &next));
+        else
+            KTG_TRY(put_corner(context, c, h, next));
+    }
+    return KTG_OK;
+}
+
+static ktg_status clean(ktg_context *context, cut *c, uint32_t p, ktg_pattern_piece *piece) {
+    double widest = fmax(fmax(c->options->allowance_mm, c->options->hem_mm), 0.1);
+    for (int k = 0; k < NUDGES; k++) {
+        bool simple = false;
+        c->nudge = 1 + k * NUDGE;
+        KTG_TRY(go_around(context, c, p));
+        KTG_TRY(ktg_outermost_walk(context, c->points, c->count, 1e-7 * widest, &piece->outline,
+                                   &piece->outline_count, &simple));
+        if (simple)
+            return KTG_OK;
+        ktg_free(piece->outline);
+        piece->outline = NULL;
+        piece->outline_count = 0;
+    }
+    return ktg_fail(context, KTG_GEOMETRY,
+                    "the seam allowance around piece %u (%s) crosses itself: choose a smaller one",
+                    p + 1, piece->name ? piece->name : "no name");
+}
+
+ktg_status ktg_cutting_line(ktg_context *context, const ktg_cloth *cloth, uint32_t p) {
+    cut c = {.t = cloth->topology, .options = cloth->options, .nudge = 1};
+    ktg_pattern_piece *piece = &cloth->pattern->pieces[p];
+    ktg_status status = clean(context, &c, p, piece);
+    c.nudge = 1;
+    if (status == KTG_OK)
+        status = draw_darts(context, &c, p, piece);
+    ktg_free(c.points);
+    return status;
+}
