@@ -84,7 +84,7 @@ static void tell_result(void *user, const ktg_pipeline_report *r) {
             plural(r->faces), r->pieces, plural(r->pieces), r->layout.sheets,
             plural(r->layout.sheets), ktg_layout_is_page(sheet) ? page : sheet->name,
             100 * r->layout.fill);
-    if (s->pipeline.layout.roll)
+    if (s->pipeline.layout.roll && !s->pipeline.marker)
         fprintf(stderr, "the %s %.0f mm long\n",
                 r->layout.sheets == 1 ? "sheet is" : "last sheet is",
                 r->layout.last_mm + 2 * s->pipeline.layout.sheet.margin_mm);

@@ -168,7 +168,7 @@ static bool set_paper(settings *s, const char *text) {
     if (ktg_context_new(&context) != KTG_OK)
         return false;
     ktg_status status = ktg_sheet_parse(context, text, &s->pipeline.layout.sheet);
-    s->pipeline.layout.roll = false;
+    s->pipeline.layout.roll = s->pipeline.marker = false;
     if (status != KTG_OK)
         snprintf(s->complaint, sizeof s->complaint, "%s", ktg_context_message(context));
     ktg_context_free(&context);
@@ -184,7 +184,22 @@ static bool set_roll(settings *s, const char *text) {
     sheet->width_mm = width_mm;
     sheet->height_mm = LONGEST_PAGE_MM;
     strcpy(sheet->name, "the roll");
+    s->pipeline.marker = false;
     return s->pipeline.layout.roll = true;
+}
+
+/* Fabric is a roll, too; a marker of it is one page as long as a PDF's may be. */
+static bool set_fabric_width(settings *s, const char *text) {
+    if (!set_roll(s, text))
+        return false;
+    s->pipeline.layout.sheet.height_mm = KTG_LAYOUT_PAGE_MM;
+    strcpy(s->pipeline.layout.sheet.name, "fabric");
+    return s->pipeline.marker = true;
+}
+
+static bool set_nap(settings *s, const char *text) {
+    (void)text;
+    return s->pipeline.layout.nap = true;
 }
 
 static bool set_landscape(settings *s, const char *text) {
@@ -437,6 +452,9 @@ static const option_line lines[] = {
     {"landscape", 0, NULL, PAPER, set_landscape, "turn the sheet"},
     {"roll", 0, "WIDTH", PAPER, set_roll,
      "instead of sheets: pages of that width, cut off where the pieces end"},
+    {"fabric-width", 0, "WIDTH", CMD_FLATTEN, set_fabric_width,
+     "a marker: all pieces on fabric of that width, and how much of it they take"},
+    {"nap", 0, NULL, CMD_FLATTEN, set_nap, "the cloth has a nap: no piece lies head down"},
     {"margin", 0, "LENGTH", PAPER, set_margin, "left free on every side of a sheet (10mm)"},
     {"gap", 0, "LENGTH", PAPER, set_gap, "between pieces (2mm)"},
     {"oversize", 0, "split|tile|scale|error", CMD_UNFOLD, set_oversize,

@@ -209,7 +209,7 @@ void ktg_text_shorten(cairo_t *cairo, double width, char *text, size_t size);
  * room for some of them. */
 KTG_NODISCARD ktg_status ktg_furniture_draw(const ktg_page *page, bool *complete);
 
-#define KTG_DETAIL_COUNT 4
+#define KTG_DETAIL_COUNT 5
 #define KTG_DETAIL_SIZE  96
 
 /* What is told beside the title, each a few words: "sheet 1 of 2", "12.5 mm per unit", ...; for the
@@ -261,6 +261,15 @@ size_t ktg_legend_draw(const ktg_page *page, double x, double y, double width, b
 void ktg_ruler_draw(cairo_t *cairo, double x, double y, bool whole, bool upright);
 /* How much room it takes along its line. */
 double ktg_ruler_length(bool whole);
+
+/* ---- marker.c ----------------------------------------------------------------------------- */
+
+/* True when the sheet is fabric. */
+bool ktg_is_marker(const ktg_page *page);
+/* "fabric 1400 mm wide, 2350 mm long". */
+void ktg_marker_tell(const ktg_pattern_sheet *sheet, char text[KTG_DETAIL_SIZE]);
+/* Draws the edges of the fabric, its width and its length, where the sheet is fabric. */
+void ktg_marker_draw(const ktg_page *page);
 
 /* ---- registration.c ----------------------------------------------------------------------- */
 

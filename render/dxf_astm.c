@@ -40,6 +40,23 @@ static void name_block(const ktg_drawing *drawing, uint32_t piece, char name[KTG
     snprintf(name + used, KTG_NAME_SIZE - used, "%s%u", used > 0 ? "_" : "PIECE_", piece + 1);
 }
 
+/* What a piece is called; its number tells it from others of that name. */
+static void name_piece(const ktg_drawing *drawing, uint32_t piece, char name[KTG_NAME_SIZE]) {
+    const ktg_pattern *pattern = drawing->pattern;
+    const char *own = pattern->pieces[piece].name;
+    char clean[KTG_NAME_SIZE - 16];
+    bool unique = own && *own;
+    for (size_t p = 0; unique && p < pattern->piece_count; p++) {
+        const char *other = pattern->pieces[p].name;
+        unique = p == piece || !other || strcmp(other, own) != 0;
+    }
+    ktg_text_clean(own && *own ? own : "piece", SIZE_MAX, clean, sizeof clean);
+    if (unique)
+        snprintf(name, KTG_NAME_SIZE, "%s", clean);
+    else
+        snprintf(name, KTG_NAME_SIZE, "%s %u", clean, piece + 1);
+}
+
 static void tell_cuts(const ktg_pattern_piece *piece, char text[KTG_NAME_SIZE]) {
     if (piece->on_fold)
         snprintf(text, KTG_NAME_SIZE, "Annotation: cut %u on fold", piece->cut_count);
@@ -150,7 +167,7 @@ static ktg_status tell_piece(const ktg_dxf *dxf, const ktg_drawing *drawing, uin
         low = (ktg_vec2){fmin(low.x, p.x), fmin(low.y, p.y)};
         high = (ktg_vec2){fmax(high.x, p.x), fmax(high.y, p.y)};
     }
-    ktg_drawing_piece_name(drawing, index, name);
+    name_piece(drawing, index, name);
     snprintf(lines[0], sizeof *lines, "Piece Name: %s", name);
     snprintf(lines[1], sizeof *lines, "Size: ONE");
     snprintf(lines[2], sizeof *lines, "Quantity: %u,%u", piece->cut_count, piece->cut_mirrored);

@@ -142,8 +142,18 @@ static ktg_status add_joins(ktg_plot *plot) {
     return KTG_OK;
 }
 
+/* The edges of the fabric. */
+static ktg_status add_fabric(ktg_plot *plot) {
+    double width = plot->page.sheet->width_mm, height = plot->page.sheet->height_mm;
+    const ktg_vec2 corners[] = {{0, 0}, {width, 0}, {width, height}, {0, height}};
+    if (!ktg_is_marker(&plot->page))
+        return KTG_OK;
+    return ktg_plot_add(plot, KTG_LAYER_SHEET, KTG_STROKE_INTERNAL, corners, 4, true);
+}
+
 ktg_status ktg_plot_marks(ktg_plot *plot) {
     KTG_TRY(add_name(plot));
+    KTG_TRY(add_fabric(plot));
     KTG_TRY(add_calibration(plot));
     KTG_TRY(add_registration(plot));
     return add_joins(plot);

@@ -32,6 +32,7 @@ typedef struct ktg_render_options {
     ktg_svg_unit svg_unit; /* millimetres */
     bool real_dashes;      /* SVG, DXF: dashes are short paths of their own; default false */
     bool plain_dxf;    /* of cloth too, a DXF is for cutters, not for garment CAD; default false */
+    bool marker;       /* a roll is fabric: its edges, width and length are drawn; default false */
     bool registration; /* marks in the margins by which a cutter finds the print; default false */
 } ktg_render_options;
 

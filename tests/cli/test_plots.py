@@ -194,11 +194,24 @@ def a_dxf_of_cloth_is_one_file_after_astm(bench):
     bench.check_dxf('layers', 'n.json', 'n.dxf')
 
 
+def a_marker_is_a_page_of_the_fabrics_size(bench):
+    bench.need('pdfinfo')
+    bench.run('flatten', 'blouse-front.obj', '--unit', 'cm', '--fabric-width', '90cm', '-o', 'o.pdf', '-o', 'o.json',
+              '-o', 'o.svg', '--report', 'o-report.json')
+    pattern, report = bench.pattern('o.json'), bench.pattern('o-report.json')
+    told = subprocess.run(['pdfinfo', 'o.pdf'], cwd=bench.here, check=True, capture_output=True, text=True).stdout
+    width, height = (float(told.split('Page size:')[1].split()[k]) * 25.4 / 72 for k in (0, 2))
+    expect(['%g x %g mm' % (width, height)] if abs(width - 900) > 0.1 or
+           abs(height - report['fabric_length_mm']) > 0.1 else [])
+    expect(plots.check_svg(bench.here / 'o.svg', pattern, pattern['sheets'][0]))
+
+
 TESTS = [every_line_of_a_sheet_is_in_its_layer_once, a_cloth_panel_has_its_layers,
          real_dashes_are_paths_of_their_own, units_are_what_was_asked_for, marks_have_layers_of_their_own,
          without_colours_all_is_black, names_cannot_break_the_xml, a_poster_is_cut_off_at_the_sheets_edges,
          a_path_goes_on_where_it_can, librsvg_draws_it_at_its_size, inkscape_finds_layers_and_sizes,
-         a_dxf_of_paper_holds_the_same, a_dxf_of_cloth_is_one_file_after_astm]
+         a_dxf_of_paper_holds_the_same, a_dxf_of_cloth_is_one_file_after_astm,
+         a_marker_is_a_page_of_the_fabrics_size]
 
 
 def main():
