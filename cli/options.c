@@ -294,11 +294,6 @@ static bool set_registration(settings *s, const char *text) {
     return s->pipeline.render.registration = true;
 }
 
-static bool set_allowance(settings *s, const char *text) {
-    return cli_parse_length(text, &s->pipeline.finish.allowance_mm) &&
-           s->pipeline.finish.allowance_mm <= 1000;
-}
-
 static bool set_weight(settings *s, const char *text) {
     static const char *const weights[] = {"cotangent", "unit", NULL};
     int weight = word_index(text, weights);
@@ -351,14 +346,6 @@ static bool set_method_flatten(settings *s, const char *text) {
     int method = word_index(text, methods);
     s->pipeline.flatten.method = method >= 0 ? (ktg_flatten_method)method : KTG_FLATTEN_ARAP;
     return method >= 0;
-}
-
-static bool set_strain_limit(settings *s, const char *text) {
-    double percent;
-    if (!parse_number(text, 0, 1000, &percent))
-        return false;
-    s->pipeline.flatten.strain_limit = percent / 100;
-    return true;
 }
 
 static bool set_population(settings *s, const char *text) {
@@ -438,6 +425,19 @@ static const option_line lines[] = {
     {"keep", 0, "FILE", CMD_UNFOLD, set_keep,
      "edges that stay folds: lines of vertex numbers, or OBJ l elements"},
     {"cut", 0, "FILE", CMD_UNFOLD, set_cut, "edges that are cut, named likewise"},
+    {"cut", 0, "FILE", CMD_FLATTEN, set_cut,
+     "edges that are seams: lines of vertex numbers, or OBJ l elements"},
+    {"seams", 0, "LIST", CMD_FLATTEN, cli_set_seams,
+     "where seams are: objects,groups,materials,marked,uv,crease,auto (the first four; auto where "
+     "they give none and the model is no disk)"},
+    {"crease", 0, "DEGREES", CMD_FLATTEN, cli_set_crease,
+     "for --seams crease: edges at which the surface turns by so much (40)"},
+    {"max-strain", 0, "PERCENT", CMD_FLATTEN, cli_set_max_strain,
+     "what a panel may strain; --seams auto cuts until 95 % of its area do not strain more (5)"},
+    {"fabric", 0, "woven|knit|FILE", CMD_FLATTEN, cli_set_fabric,
+     "what the cloth bears along and across its grain; how much of it is strained more is told"},
+    {"grain", 0, "PANEL=DEGREES", CMD_FLATTEN, cli_set_grain,
+     "turns a panel's grain from upright; may be given several times"},
     {"omit", 0, "GROUP", PAPER, set_omit,
      "leave out a group, object or material; may be given several times"},
     {"height", 0, "LENGTH", PAPER, set_height, "height of the finished model"},
@@ -472,9 +472,17 @@ static const option_line lines[] = {
     {"folds", 0, "dashed|solid", CMD_UNFOLD, set_folds,
      "mountain dashed, valley dash-dot; or mountain solid, valley dashed (dashed)"},
     {"flat", 0, "DEGREES", CMD_UNFOLD, set_flat, "folds flatter than this are not drawn (1)"},
-    {"allowance", 0, "LENGTH", CMD_FLATTEN, set_allowance, "seam allowance (10mm)"},
-    {"strain-limit", 0, "PERCENT", CMD_FLATTEN, set_strain_limit,
-     "strain the cloth bears; how much of it is strained more is told (5)"},
+    {"allowance", 0, "LENGTH", CMD_FLATTEN, cli_set_allowance, "along seams (10mm)"},
+    {"hem", 0, "LENGTH", CMD_FLATTEN, cli_set_hem, "along borders that are sewn to nothing (20mm)"},
+    {"notch", 0, "LENGTH|none", CMD_FLATTEN, cli_set_notch,
+     "length of the marks that meet when a seam is sewn (5mm)"},
+    {"notch-every", 0, "LENGTH", CMD_FLATTEN, cli_set_notch_every,
+     "a seam has a mark for each such length (250mm)"},
+    {"on-fold", 0, "PANEL", CMD_FLATTEN, cli_set_on_fold,
+     "cut that symmetric panel on the fold of the cloth: half of it is printed; may be given "
+     "several times"},
+    {"no-twins", 0, NULL, CMD_FLATTEN, cli_set_no_twins,
+     "print each panel, also the mirror image of another one"},
     {"method", 0, "auto|genetic", CMD_UNFOLD, set_method_unfold,
      "transplants, or the paper's genetic merging (auto)"},
     {"effort", 0, "quick|normal|best", CMD_UNFOLD, set_effort,

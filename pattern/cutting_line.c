@@ -9,6 +9,9 @@
 #define NUDGE  1e-5
 #define NUDGES 8
 
+/* A border is straight when it bends by less than this tangent. */
+#define STRAIGHT 0.2
+
 typedef struct cut {
     const ktg_topology *t;
     const ktg_finish_options *options;
@@ -31,6 +34,24 @@ static void set_side(const cut *c, uint32_t h, int side, ktg_corner *corner) {
     corner->hem[side] = ktg_edge_at(c->t, h)->kind == KTG_EDGE_BORDER;
 }
 
+/* Whether the border stays near the line of half-edge h, away from its corner, as far as a hem that
+ * is turned up there reaches. */
+static bool runs_straight(const cut *c, uint32_t h, bool onwards) {
+    ktg_vec2 at = onwards ? ktg_start_of(c->t, h) : ktg_end_of(c->t, h);
+    ktg_vec2 along = ktg_mul2(ktg_along(c->t, h), onwards ? 1 : -1);
+    double width = ktg_allowance_at(c->t, c->options, h);
+    uint32_t g = h;
+    do {
+        ktg_vec2 v = ktg_sub2(onwards ? ktg_end_of(c->t, g) : ktg_start_of(c->t, g), at);
+        if (fabs(ktg_cross2(along, v)) > STRAIGHT * fabs(ktg_dot2(along, v)))
+            return false;
+        if (ktg_dot2(along, v) >= 2 * width)
+            return true;
+        g = onwards ? ktg_border_next(c->t, g) : ktg_border_previous(c->t, g);
+    } while (g != h && ktg_edge_at(c->t, g)->kind == KTG_EDGE_BORDER);
+    return true;
+}
+
 /* The corner from border half-edge h to `next`, without the other pieces' wishes. */
 static ktg_corner corner_between(const cut *c, uint32_t h, uint32_t next) {
     ktg_corner corner = {.at = ktg_end_of(c->t, h)};
@@ -38,6 +59,9 @@ static ktg_corner corner_between(const cut *c, uint32_t h, uint32_t next) {
     set_side(c, next, 1, &corner);
     corner.reach[0] = ktg_corner_reach(&corner, 0);
     corner.reach[1] = ktg_corner_reach(&corner, 1);
+    if (corner.hem[0] != corner.hem[1] &&
+        !runs_straight(c, corner.hem[0] ? h : next, corner.hem[1]))
+        corner.hem[0] = corner.hem[1] = false;
     return corner;
 }
 
