@@ -59,7 +59,8 @@ static void name_piece(const ktg_drawing *drawing, uint32_t piece, char name[KTG
 
 static void tell_cuts(const ktg_pattern_piece *piece, char text[KTG_NAME_SIZE]) {
     if (piece->on_fold)
-        snprintf(text, KTG_NAME_SIZE, "Annotation: cut %u on fold", piece->cut_count);
+        snprintf(text, KTG_NAME_SIZE, "Annotation: cut %u on fold",
+                 piece->cut_count + piece->cut_mirrored);
     else if (piece->cut_mirrored > 0)
         snprintf(text, KTG_NAME_SIZE, "Annotation: cut %u and %u mirrored", piece->cut_count,
                  piece->cut_mirrored);
