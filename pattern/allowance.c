@@ -118,6 +118,7 @@ static ktg_status shape_pieces(ktg_context *context, ktg_cloth *cloth) {
 
 static ktg_status run_steps(ktg_context *context, ktg_cloth *cloth) {
     KTG_TRY(ktg_darts_find(context, cloth->topology, cloth->pattern));
+    ktg_darts_keep_foldable(cloth);
     KTG_TRY(ktg_mirrors_find(context, cloth));
     KTG_TRY(shape_pieces(context, cloth));
     KTG_TRY(ktg_notches_choose(context, cloth));

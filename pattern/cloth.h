@@ -63,6 +63,13 @@ static inline uint32_t ktg_seam_halfedge(const ktg_pattern *pattern, const ktg_p
     return ktg_side_halfedge(&edge->sides[seam->first_side[k] ^ side]);
 }
 
+static inline double ktg_distance_to_segment(ktg_vec2 p, ktg_vec2 a, ktg_vec2 b) {
+    ktg_vec2 ab = ktg_sub2(b, a), ap = ktg_sub2(p, a);
+    double square = ktg_dot2(ab, ab);
+    double t = square > 0 ? fmax(0, fmin(1, ktg_dot2(ap, ab) / square)) : 0;
+    return ktg_length2(ktg_sub2(ap, ktg_mul2(ab, t)));
+}
+
 /* Appends a line to a piece and takes over its points. */
 KTG_NODISCARD ktg_status ktg_piece_add_line(ktg_context *context, ktg_pattern_piece *piece,
                                             ktg_line_kind kind, ktg_vec2 *points,
@@ -75,6 +82,9 @@ KTG_NODISCARD ktg_status ktg_piece_add_segment(ktg_context *context, ktg_pattern
 
 KTG_NODISCARD ktg_status ktg_darts_find(ktg_context *context, const ktg_topology *topology,
                                         ktg_pattern *pattern);
+
+/* Darts over whose mouth no cut can be found, or that lie side by side, are cut out after all. */
+void ktg_darts_keep_foldable(const ktg_cloth *cloth);
 
 /* Fills twins and selves, and the pieces' cut_count, cut_mirrored and twin_of; gives seams that lie
  * on each other the same number. */

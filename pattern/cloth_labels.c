@@ -27,15 +27,23 @@ enum { places = 25 };
 
 /* ---- where there is room ------------------------------------------------------------------ */
 
-/* Inside the piece and, of half a piece, right of its fold. */
-static bool is_inside(const ktg_pattern_piece *piece, ktg_vec2 p) {
-    bool inside = false;
-    for (size_t i = 0; i < piece->outline_count; i++) {
-        ktg_vec2 a = piece->outline[i], b = piece->outline[(i + 1) % piece->outline_count];
-        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
+/* Whether a ray from p to the right passes between a and b. */
+static bool passes(ktg_vec2 p, ktg_vec2 a, ktg_vec2 b) {
+    return (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x);
+}
+
+/* Within the sewing line and, of half a piece, within its outline. */
+static bool is_inside(const ktg_label_sheet *sheet, uint32_t p, ktg_vec2 at) {
+    const ktg_topology *t = sheet->topology;
+    const ktg_pattern_piece *piece = &sheet->pattern->pieces[p];
+    bool inside = false, drawn = !piece->on_fold;
+    for (uint32_t k = t->border_first[p]; k < t->border_first[p + 1]; k++)
+        if (passes(at, ktg_start_of(t, t->border[k]), ktg_end_of(t, t->border[k])))
             inside = !inside;
-    }
-    return inside;
+    for (size_t i = 0; piece->on_fold && i < piece->outline_count; i++)
+        if (passes(at, piece->outline[i], piece->outline[(i + 1) % piece->outline_count]))
+            drawn = !drawn;
+    return inside && drawn;
 }
 
 static bool on_line(const ktg_pattern_piece *piece, const ktg_label_box *box) {
@@ -52,7 +60,7 @@ static bool on_line(const ktg_pattern_piece *piece, const ktg_label_box *box) {
 
 static bool is_free(ktg_label_sheet *sheet, uint32_t p, const ktg_label_box *box) {
     const ktg_pattern_piece *piece = &sheet->pattern->pieces[p];
-    return is_inside(piece, box->at) && !ktg_label_on_border(sheet, p, box) &&
+    return is_inside(sheet, p, box->at) && !ktg_label_on_border(sheet, p, box) &&
            !on_line(piece, box) && !ktg_label_piece_taken(sheet, p, box);
 }
 
@@ -98,7 +106,7 @@ static ktg_status number_side(ktg_context *context, ktg_label_sheet *sheet,
                 return ktg_label_write(context, sheet, p, KTG_NONE, edge, text, &box);
         }
     box = box_at_seam(sheet, seam, side, 0.5 * seam->lengths_mm[side], LEAST_SEAM_MM, wide, &edge);
-    if (!is_inside(&sheet->pattern->pieces[p], box.at))
+    if (!is_inside(sheet, p, box.at))
         return KTG_OK; /* the other half of a piece on the fold */
     return ktg_label_write(context, sheet, p, KTG_NONE, edge, text, &box);
 }

@@ -6,8 +6,11 @@
 /* A corner's cloth reaches no further along a seam than this many allowances. */
 #define REACH 2.0
 
-/* A strip of cloth that is too long by so little is left alone. */
-#define LITTLE_MM 0.5
+/* A strip of cloth that is too long by so little of its width is left alone. */
+#define LITTLE 0.05
+
+/* So much of the allowance is left around a corner, whatever the other piece has. */
+#define ENOUGH 0.7
 
 /* A border that turns by less than this sine goes on, with cloth along it. */
 #define SMOOTH 0.7
@@ -54,7 +57,8 @@ static void go_around(const ktg_corner *c, ktg_corner_path *path) {
     ktg_vec2 mitre = ktg_meeting_point(a, c->along[0], b, c->along[1]);
     double reach[2] = {ktg_dot2(ktg_sub2(mitre, a), c->along[0]),
                        -ktg_dot2(ktg_sub2(mitre, b), c->along[1])};
-    bool short0 = c->reach[0] < reach[0] - LITTLE_MM, short1 = c->reach[1] < reach[1] - LITTLE_MM;
+    bool short0 = c->reach[0] < reach[0] - LITTLE * c->width[0];
+    bool short1 = c->reach[1] < reach[1] - LITTLE * c->width[1];
     add(path, a);
     if (reach[0] > 0 && reach[1] > 0) {
         ktg_vec2 end0 = ktg_madd2(a, c->reach[0], c->along[0]);
@@ -65,6 +69,28 @@ static void go_around(const ktg_corner *c, ktg_corner_path *path) {
         if (short0)
             add(path, short1 ? end1 : square_end(c, 0, end0, reach[1]));
     }
+    add(path, b);
+}
+
+/* Whether the cut leaves enough cloth around the corner. */
+static bool keeps_away(const ktg_corner *c, const ktg_corner_path *path) {
+    double least = ENOUGH * fmin(c->width[0], c->width[1]);
+    for (uint32_t i = 1; i < path->count; i++)
+        if (ktg_distance_to_segment(c->at, path->points[i - 1], path->points[i]) < least)
+            return false;
+    return true;
+}
+
+/* Cut off at one width from the corner. */
+static void bevel(const ktg_corner *c, ktg_corner_path *path) {
+    double cosine = ktg_dot2(c->along[0], c->along[1]);
+    double half_sine = sqrt((1 - cosine) / 2), half_cosine = sqrt((1 + cosine) / 2);
+    double beyond = (1 - half_cosine) / half_sine;
+    ktg_vec2 a = shifted(c, 0), b = shifted(c, 1);
+    path->count = 0;
+    add(path, a);
+    add(path, ktg_madd2(a, beyond * c->width[0], c->along[0]));
+    add(path, ktg_madd2(b, -beyond * c->width[1], c->along[1]));
     add(path, b);
 }
 
@@ -92,6 +118,8 @@ void ktg_corner_go(const ktg_corner *c, ktg_corner_path *path) {
         return;
     if (turn > 1e-9) {
         go_around(c, path);
+        if (!keeps_away(c, path))
+            bevel(c, path);
         return;
     }
     add(path, shifted(c, 0));
@@ -108,10 +136,12 @@ bool ktg_dart_cap(const ktg_corner *before, const ktg_corner *after, ktg_vec2 le
                   ktg_vec2 leg_out, ktg_vec2 point, ktg_vec2 cap[3]) {
     ktg_vec2 a = before->at, b = after->at, d = before->along[0], e = after->along[1];
     ktg_vec2 middle = ktg_mul2(ktg_add2(a, b), 0.5), axis = ktg_sub2(middle, point);
-    if (fabs(ktg_cross2(d, leg_in)) < 0.2 || fabs(ktg_cross2(e, leg_out)) < 0.2)
+    if (ktg_cross2(d, leg_in) < 0.5 || ktg_cross2(e, leg_out) < 0.5)
         return false;
     cap[0] = ktg_meeting_point(shifted(before, 0), d, a, leg_in);
     cap[2] = ktg_meeting_point(shifted(after, 1), e, b, leg_out);
+    if (ktg_dot2(ktg_sub2(cap[0], a), leg_in) > 0 || ktg_dot2(ktg_sub2(cap[2], b), leg_out) > 0)
+        return false;
     ktg_vec2 from_a = ktg_madd2(d, -2 * ktg_dot2(d, leg_in), leg_in);
     ktg_vec2 from_b = ktg_madd2(e, -2 * ktg_dot2(e, leg_out), leg_out);
     if (fabs(ktg_cross2(from_a, ktg_unit2(axis))) < 0.1 ||
@@ -121,6 +151,7 @@ bool ktg_dart_cap(const ktg_corner *before, const ktg_corner *after, ktg_vec2 le
                                ktg_meeting_point(cap[2], from_b, point, axis)),
                       0.5);
     double reach = ktg_length2(ktg_sub2(cap[1], middle));
-    double wide = ktg_length2(ktg_sub2(b, a)) + 3 * fmax(before->width[0], after->width[1]);
-    return reach <= wide && ktg_dot2(ktg_sub2(cap[1], middle), axis) >= 0;
+    double wide = ktg_length2(ktg_sub2(b, a)) / 2 + 2 * fmax(before->width[0], after->width[1]);
+    return reach <= wide && ktg_dot2(ktg_sub2(cap[1], middle), axis) >=
+                                0.6 * fmin(before->width[0], after->width[1]) * ktg_length2(axis);
 }

@@ -129,32 +129,21 @@ static passed_dart dart_between(const cut *c, uint32_t h, uint32_t first, uint32
     return dart;
 }
 
-/* Across the mouth of one or more darts that lie between h and the next other half-edge. */
-static ktg_status put_darts(ktg_context *context, cut *c, uint32_t h, uint32_t *next) {
-    uint32_t first = *next, apex, count = 0;
-    for (; ktg_is_dart(c->t, *next); count++)
-        *next = pass_dart(c->t, *next, &apex);
-    if (count == 1) {
-        passed_dart dart = dart_between(c, h, first, apex, *next);
-        for (int i = 0; dart.whole && i < 3; i++)
-            KTG_TRY(put(context, c, dart.cap[i]));
-        if (dart.whole)
-            return KTG_OK;
-    }
-    ktg_vec2 a = ktg_outward(ktg_along(c->t, h)), b = ktg_outward(ktg_along(c->t, *next));
-    double u = ktg_allowance_at(c->t, c->options, h);
-    double v = ktg_allowance_at(c->t, c->options, *next);
-    KTG_TRY(put(context, c, ktg_madd2(ktg_end_of(c->t, h), c->nudge * u, a)));
-    return put(context, c, ktg_madd2(ktg_start_of(c->t, *next), c->nudge * v, b));
+/* Across the mouth of the dart between h and *next, which becomes the half-edge after it. */
+static ktg_status put_dart(ktg_context *context, cut *c, uint32_t h, uint32_t *next) {
+    uint32_t first = *next, apex;
+    *next = pass_dart(c->t, first, &apex);
+    passed_dart dart = dart_between(c, h, first, apex, *next);
+    for (int i = 0; i < 3; i++)
+        KTG_TRY(put(context, c, dart.cap[i]));
+    return KTG_OK;
 }
 
 /* The fold in the middle of a dart, and notches at the ends of its legs. */
 static ktg_status draw_dart(ktg_context *context, const cut *c, const passed_dart *dart,
                             ktg_pattern_piece *piece, const ktg_vec2 mouths[2]) {
-    ktg_vec2 middle = ktg_mul2(ktg_add2(mouths[0], mouths[1]), 0.5);
-    KTG_TRY(ktg_piece_add_segment(context, piece, KTG_LINE_DART, dart->point,
-                                  dart->whole ? dart->cap[1] : middle));
-    for (int k = 0; dart->whole && k < 2; k++) {
+    KTG_TRY(ktg_piece_add_segment(context, piece, KTG_LINE_DART, dart->point, dart->cap[1]));
+    for (int k = 0; k < 2; k++) {
         ktg_vec2 end = dart->cap[2 * k], in = ktg_sub2(mouths[k], end);
         double length = fmin(c->options->notch_mm, ktg_length2(in));
         if (length > 0)
@@ -173,7 +162,6 @@ static ktg_status draw_darts(ktg_context *context, const cut *c, uint32_t p,
             continue;
         uint32_t after = pass_dart(t, first, &apex);
         passed_dart dart = dart_between(c, h, first, apex, after);
-        dart.whole = dart.whole && !ktg_is_dart(t, h) && !ktg_is_dart(t, after);
         const ktg_vec2 mouths[2] = {ktg_start_of(t, first), ktg_start_of(t, after)};
         KTG_TRY(draw_dart(context, c, &dart, piece, mouths));
     }
@@ -190,7 +178,7 @@ static ktg_status go_around(ktg_context *context, cut *c, uint32_t p) {
         if (ktg_is_dart(t, h))
             continue;
         if (ktg_is_dart(t, next))
-            KTG_TRY(put_darts(context, c, h, &next));
+            KTG_TRY(put_dart(context, c, h, &next));
         else
             KTG_TRY(put_corner(context, c, h, next));
     }
@@ -214,6 +202,36 @@ static ktg_status clean(ktg_context *context, cut *c, uint32_t p, ktg_pattern_pi
     return ktg_fail(context, KTG_GEOMETRY,
                     "the seam allowance around piece %u (%s) crosses itself: choose a smaller one",
                     p + 1, piece->name ? piece->name : "no name");
+}
+
+/* Whether the cut over the dart's mouth keeps away from the rest of the border, from `after` round
+ * to h. */
+static bool cap_is_free(const cut *c, uint32_t h, uint32_t after, const passed_dart *dart) {
+    const ktg_topology *t = c->t;
+    double least =
+        0.6 * fmin(ktg_allowance_at(t, c->options, h), ktg_allowance_at(t, c->options, after));
+    for (uint32_t g = after; g != h; g = ktg_border_next(t, g)) {
+        ktg_vec2 p = ktg_end_of(t, g);
+        if (ktg_distance_to_segment(p, dart->cap[0], dart->cap[1]) < least ||
+            ktg_distance_to_segment(p, dart->cap[1], dart->cap[2]) < least)
+            return false;
+    }
+    return true;
+}
+
+void ktg_darts_keep_foldable(const ktg_cloth *cloth) {
+    const ktg_topology *t = cloth->topology;
+    cut c = {.t = t, .options = cloth->options, .nudge = 1};
+    for (uint32_t k = 0; k < t->border_count; k++) {
+        uint32_t h = t->border[k], first = ktg_border_next(t, h), apex;
+        uint32_t seam = ktg_edge_at(t, first)->seam;
+        if (!ktg_is_dart(t, first) || ktg_edge_at(t, h)->seam == seam)
+            continue;
+        uint32_t after = pass_dart(t, first, &apex);
+        bool alone = !ktg_is_dart(t, h) && !ktg_is_dart(t, after);
+        passed_dart dart = dart_between(&c, h, first, apex, after);
+        cloth->pattern->seams[seam].dart = alone && dart.whole && cap_is_free(&c, h, after, &dart);
+    }
 }
 
 ktg_status ktg_cutting_line(ktg_context *context, const ktg_cloth *cloth, uint32_t p) {

@@ -7,6 +7,9 @@
 #define DART_MM    80.0
 #define DART_ANGLE (60 * KTG_PI / 180)
 
+/* Its legs are no further from straight lines than this part of their length. */
+#define BENT 0.1
+
 /* The border from one mouth of a dart over its point to the other: half-edges from..to. */
 typedef struct legs {
     uint32_t from, last_down; /* the half-edge that leaves the first mouth; the one at the point */
@@ -36,6 +39,21 @@ static bool is_narrow(const ktg_topology *t, const legs *l) {
     return angle > 0 && angle < DART_ANGLE && ktg_length2(ktg_sub2(b, a)) < DART_MM;
 }
 
+/* Legs that go straight from mouth to point, or nearly so, can be folded onto each other. */
+static bool are_straight(const ktg_topology *t, const legs *l) {
+    ktg_vec2 point = ktg_end_of(t, l->last_down);
+    ktg_vec2 mouth = ktg_start_of(t, l->from), end = ktg_end_of(t, l->to);
+    double least = ktg_length2(ktg_sub2(point, mouth));
+    bool down = true;
+    for (uint32_t h = l->from; h != l->to; h = ktg_border_next(t, h)) {
+        down = down && h != l->last_down;
+        double away = ktg_distance_to_segment(ktg_end_of(t, h), point, down ? mouth : end);
+        if (away > BENT * least)
+            return false;
+    }
+    return true;
+}
+
 static bool is_left_of(ktg_vec2 a, ktg_vec2 b, ktg_vec2 p) {
     return ktg_cross2(ktg_sub2(b, a), ktg_sub2(p, a)) > 0;
 }
@@ -58,7 +76,8 @@ ktg_status ktg_darts_find(ktg_context *context, const ktg_topology *t, ktg_patte
     for (size_t s = 0; s < pattern->seam_count; s++) {
         legs l;
         ktg_pattern_seam *seam = &pattern->seams[s];
-        seam->dart = find_legs(t, pattern, seam, &l) && is_narrow(t, &l) && is_free(t, &l);
+        seam->dart = find_legs(t, pattern, seam, &l) && is_narrow(t, &l) && are_straight(t, &l) &&
+                     is_free(t, &l);
     }
     return ktg_check_cancel(context);
 }

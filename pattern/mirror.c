@@ -14,20 +14,21 @@
 typedef struct shape {
     size_t count;
     ktg_vec2 *points;
+    bool *hem; /* count: nothing is sewn to the edge from that point on */
     double area, length;
     ktg_vec2 centre; /* of its area */
-    uint32_t hems;   /* edges that nothing is sewn to */
 } shape;
 
 static ktg_status make_shape(ktg_context *context, const ktg_topology *t, uint32_t p, shape *s) {
     s->count = t->border_first[p + 1] - t->border_first[p];
     s->points = ktg_new(context, s->count, ktg_vec2);
-    if (!s->points)
+    s->hem = ktg_new(context, s->count, bool);
+    if (!s->points || !s->hem)
         return KTG_MEMORY;
     for (size_t i = 0; i < s->count; i++) {
         uint32_t h = t->border[t->border_first[p] + i];
         s->points[i] = ktg_start_of(t, h);
-        s->hems += ktg_edge_at(t, h)->kind == KTG_EDGE_BORDER;
+        s->hem[i] = ktg_edge_at(t, h)->kind == KTG_EDGE_BORDER;
     }
     ktg_vec2 origin = s->points[0];
     for (size_t i = 0; i < s->count; i++) {
@@ -42,25 +43,30 @@ static ktg_status make_shape(ktg_context *context, const ktg_topology *t, uint32
     return KTG_OK;
 }
 
-static double distance_to_segment(ktg_vec2 p, ktg_vec2 a, ktg_vec2 b) {
-    ktg_vec2 ab = ktg_sub2(b, a), ap = ktg_sub2(p, a);
-    double square = ktg_dot2(ab, ab);
-    double t = square > 0 ? fmax(0, fmin(1, ktg_dot2(ap, ab) / square)) : 0;
-    return ktg_length2(ktg_sub2(ap, ktg_mul2(ab, t)));
-}
-
-static bool near_border(ktg_grid *grid, const shape *s, ktg_vec2 p) {
+/* Whether p is near the border, at an edge that is a hem or none, as `hem` says. */
+static bool near_border(ktg_grid *grid, const shape *s, ktg_vec2 p, bool hem) {
     ktg_box box = ktg_box_grown((ktg_box){p, p}, SAME_MM);
     uint32_t found = ktg_grid_query(grid, box);
     for (uint32_t k = 0; k < found; k++) {
         uint32_t i = grid->found[k];
-        if (distance_to_segment(p, s->points[i], s->points[(i + 1) % s->count]) <= SAME_MM)
+        if (s->hem[i] == hem &&
+            ktg_distance_to_segment(p, s->points[i], s->points[(i + 1) % s->count]) <= SAME_MM)
             return true;
     }
     return false;
 }
 
-/* Whether every corner of `from`, moved by `mirror`, is near the border of `to`. */
+/* Corner i and the middle of the edge that leaves it. */
+static bool point_lies(ktg_grid *grid, const shape *from, const shape *to, size_t i,
+                       const ktg_mirror *mirror) {
+    ktg_vec2 a = from->points[i], b = from->points[(i + 1) % from->count];
+    ktg_vec2 middle = ktg_mul2(ktg_add2(a, b), 0.5);
+    return near_border(grid, to, ktg_mirror_point(mirror, a), from->hem[i]) &&
+           near_border(grid, to, ktg_mirror_point(mirror, middle), from->hem[i]);
+}
+
+/* Whether every corner of `from`, and the middle of every edge, moved by `mirror`, is near the
+ * border of `to`, at an edge of the same kind. */
 static ktg_status lies_on(ktg_context *context, const shape *from, const shape *to,
                           const ktg_mirror *mirror, bool *lies) {
     ktg_grid grid = {0};
@@ -74,7 +80,7 @@ static ktg_status lies_on(ktg_context *context, const shape *from, const shape *
         status = ktg_grid_build(context, boxes, (uint32_t)to->count, &grid);
     *lies = status == KTG_OK;
     for (size_t i = 0; *lies && i < from->count; i++)
-        *lies = near_border(&grid, to, ktg_mirror_point(mirror, from->points[i]));
+        *lies = point_lies(&grid, from, to, i, mirror);
     ktg_grid_drop(&grid);
     ktg_free(boxes);
     return status;
@@ -82,7 +88,7 @@ static ktg_status lies_on(ktg_context *context, const shape *from, const shape *
 
 static bool may_be_same(const shape *a, const shape *b) {
     return fabs(a->length - b->length) <= 0.003 * a->length &&
-           fabs(a->area - b->area) <= 0.003 * a->area && (a->hems > 0) == (b->hems > 0);
+           fabs(a->area - b->area) <= 0.003 * a->area;
 }
 
 static ktg_status try_mirror(ktg_context *context, const shape *shapes, uint32_t from, uint32_t to,
@@ -110,8 +116,10 @@ static ktg_status find_twin(ktg_context *context, ktg_cloth *cloth, const shape 
     for (uint32_t q = 0; q < p && cloth->twins[p].piece == KTG_NONE; q++) {
         if (cloth->twins[q].piece != KTG_NONE)
             continue;
-        for (int mirrored = 1; mirrored >= 0 && cloth->twins[p].piece == KTG_NONE; mirrored--)
-            KTG_TRY(try_mirror(context, shapes, p, q, mirrored, &cloth->twins[p]));
+        /* to a symmetric piece a mirror image is a copy */
+        bool mirrored = cloth->selves[q].piece == KTG_NONE;
+        for (int k = 0; k < 2 && cloth->twins[p].piece == KTG_NONE; k++)
+            KTG_TRY(try_mirror(context, shapes, p, q, mirrored == (k == 0), &cloth->twins[p]));
     }
     ktg_pattern_piece *piece = &cloth->pattern->pieces[p];
     const ktg_mirror *twin = &cloth->twins[p];
@@ -146,8 +154,10 @@ ktg_status ktg_mirrors_find(ktg_context *context, ktg_cloth *cloth) {
     size_t count = cloth->pattern->piece_count;
     shape *shapes = ktg_new(context, count, shape);
     ktg_status status = shapes ? compare(context, cloth, shapes) : KTG_MEMORY;
-    for (size_t p = 0; shapes && p < count; p++)
+    for (size_t p = 0; shapes && p < count; p++) {
         ktg_free(shapes[p].points);
+        ktg_free(shapes[p].hem);
+    }
     ktg_free(shapes);
     return status;
 }

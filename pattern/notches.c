@@ -89,6 +89,78 @@ static uint32_t rarest_marks(const ktg_cloth *cloth, const ktg_pattern_seam *sea
     return best;
 }
 
+/* A point of the border and the way out of the cloth there. */
+typedef struct place {
+    ktg_vec2 at, out;
+} place;
+
+/* `along_mm` along a side of a seam, from where side 0 begins. */
+static place place_on_side(const ktg_cloth *cloth, const ktg_pattern_seam *seam, uint32_t side,
+                           double along_mm) {
+    const ktg_topology *t = cloth->topology;
+    for (uint32_t k = 0;; k++) {
+        uint32_t h = ktg_seam_halfedge(cloth->pattern, seam, k, side);
+        ktg_vec2 a = ktg_start_of(t, h), b = ktg_end_of(t, h), from = side == 0 ? a : b;
+        double length = apart(a, b);
+        if (along_mm <= length || k + 1 == seam->edge_count) {
+            ktg_vec2 along = ktg_along(t, h);
+            return (place){ktg_madd2(from, side == 0 ? along_mm : -along_mm, along),
+                           ktg_outward(along)};
+        }
+        along_mm -= length;
+    }
+}
+
+/* How far the cloth reaches from p in direction d. */
+static double reach(const ktg_pattern_piece *piece, place p) {
+    double nearest = INFINITY;
+    for (size_t i = 0; i < piece->outline_count; i++) {
+        ktg_vec2 a = piece->outline[i], b = piece->outline[(i + 1) % piece->outline_count];
+        ktg_vec2 ab = ktg_sub2(b, a), pa = ktg_sub2(a, p.at);
+        double turn = ktg_cross2(p.out, ab);
+        if (turn == 0)
+            continue;
+        double t = ktg_cross2(pa, ab) / turn, s = ktg_cross2(pa, p.out) / turn;
+        if (t > -1e-6 && s >= 0 && s <= 1)
+            nearest = fmin(nearest, fmax(t, 0));
+    }
+    return nearest;
+}
+
+/* The place of the m-th mark of a notch on a side of a seam. */
+static place place_of_mark(const ktg_cloth *cloth, const ktg_pattern_seam *seam, uint32_t side,
+                           const ktg_pattern_notch *notch, uint32_t m) {
+    double aside = (m - (notch->marks - 1) / 2.0) * APART_MM;
+    return place_on_side(cloth, seam, side, notch->at * seam->lengths_mm[side] + aside);
+}
+
+/* Whether all marks of a notch lie in the allowance of their own seam, on both sides: not where
+ * cloth was cleaned away, or where the piece is near itself. */
+static bool can_be_drawn(const ktg_cloth *cloth, const ktg_pattern_seam *seam,
+                         const ktg_pattern_notch *notch) {
+    double most = 1.2 * cloth->options->allowance_mm + 0.1;
+    for (uint32_t side = 0; side < 2; side++)
+        for (uint32_t m = 0; m < notch->marks; m++) {
+            place p = place_of_mark(cloth, seam, side, notch, m);
+            if (!(reach(&cloth->pattern->pieces[seam->pieces[side]], p) <= most))
+                return false;
+        }
+    return true;
+}
+
+/* Adds the notch, or one near it, where it can be drawn. */
+static void add_notch(const ktg_cloth *cloth, ktg_pattern_seam *seam, ktg_pattern_notch notch) {
+    static const double aside[] = {0, 0.04, -0.04, 0.08, -0.08};
+    double wished = notch.at;
+    for (size_t k = 0; k < sizeof aside / sizeof *aside; k++) {
+        notch.at = wished + aside[k];
+        if (can_be_drawn(cloth, seam, &notch)) {
+            seam->notches[seam->notch_count++] = notch;
+            return;
+        }
+    }
+}
+
 static ktg_status mark_seam(ktg_context *context, const ktg_cloth *cloth, ktg_pattern_seam *seam) {
     double length = (seam->lengths_mm[0] + seam->lengths_mm[1]) / 2;
     if (length < SHORT_MM || seam->dart)
@@ -99,11 +171,10 @@ static ktg_status mark_seam(ktg_context *context, const ktg_cloth *cloth, ktg_pa
     seam->notches = ktg_new(context, count, ktg_pattern_notch);
     if (!seam->notches)
         return KTG_MEMORY;
-    seam->notch_count = count;
-    for (uint32_t k = 0; k < count; k++)
-        seam->notches[k] = (ktg_pattern_notch){(k + 1.0) / (count + 1), marks};
-    if (count == 1 && !even)
-        seam->notches[0].at = OFF_MIDDLE;
+    for (uint32_t k = 0; k < count; k++) {
+        double at = count == 1 && !even ? OFF_MIDDLE : (k + 1.0) / (count + 1);
+        add_notch(cloth, seam, (ktg_pattern_notch){at, marks});
+    }
     return KTG_OK;
 }
 
@@ -181,44 +252,6 @@ ktg_status ktg_notches_choose(ktg_context *context, ktg_cloth *cloth) {
 
 /* ---- drawing ------------------------------------------------------------------------------ */
 
-/* A point of the border and the way out of the cloth there. */
-typedef struct place {
-    ktg_vec2 at, out;
-} place;
-
-/* `along_mm` along a side of a seam, from where side 0 begins. */
-static place place_on_side(const ktg_cloth *cloth, const ktg_pattern_seam *seam, uint32_t side,
-                           double along_mm) {
-    const ktg_topology *t = cloth->topology;
-    for (uint32_t k = 0;; k++) {
-        uint32_t h = ktg_seam_halfedge(cloth->pattern, seam, k, side);
-        ktg_vec2 a = ktg_start_of(t, h), b = ktg_end_of(t, h), from = side == 0 ? a : b;
-        double length = apart(a, b);
-        if (along_mm <= length || k + 1 == seam->edge_count) {
-            ktg_vec2 along = ktg_along(t, h);
-            return (place){ktg_madd2(from, side == 0 ? along_mm : -along_mm, along),
-                           ktg_outward(along)};
-        }
-        along_mm -= length;
-    }
-}
-
-/* How far the cloth reaches from p in direction d. */
-static double reach(const ktg_pattern_piece *piece, place p) {
-    double nearest = INFINITY;
-    for (size_t i = 0; i < piece->outline_count; i++) {
-        ktg_vec2 a = piece->outline[i], b = piece->outline[(i + 1) % piece->outline_count];
-        ktg_vec2 ab = ktg_sub2(b, a), pa = ktg_sub2(a, p.at);
-        double turn = ktg_cross2(p.out, ab);
-        if (turn == 0)
-            continue;
-        double t = ktg_cross2(pa, ab) / turn, s = ktg_cross2(pa, p.out) / turn;
-        if (t > -1e-6 && s >= 0 && s <= 1)
-            nearest = fmin(nearest, fmax(t, 0));
-    }
-    return nearest;
-}
-
 /* From the cut inwards, no further than to the line that is sewn; without an allowance into the
  * piece. */
 static ktg_status draw_mark(ktg_context *context, const ktg_cloth *cloth, uint32_t piece, place p) {
@@ -237,12 +270,9 @@ static ktg_status draw_seam(ktg_context *context, const ktg_cloth *cloth,
     for (size_t i = 0; i < seam->notch_count; i++) {
         const ktg_pattern_notch *notch = &seam->notches[i];
         for (uint32_t side = 0; side < 2; side++)
-            for (uint32_t m = 0; m < notch->marks; m++) {
-                double aside = (m - (notch->marks - 1) / 2.0) * APART_MM;
-                double at = notch->at * seam->lengths_mm[side] + aside;
+            for (uint32_t m = 0; m < notch->marks; m++)
                 KTG_TRY(draw_mark(context, cloth, seam->pieces[side],
-                                  place_on_side(cloth, seam, side, at)));
-            }
+                                  place_of_mark(cloth, seam, side, notch, m)));
     }
     return KTG_OK;
 }

@@ -269,24 +269,29 @@ static double distance_to_line(ktg_vec2 p, const ktg_pattern_line *line) {
     return nearest;
 }
 
-/* Box on box, mirrored across an upright line or not: the sewing line of one lies on that of the
- * other. Half a piece is compared by the half that is drawn. */
-static bool are_alike(const ktg_check *check, const ktg_pattern_piece *a,
-                      const ktg_pattern_piece *b, bool mirror) {
+/* Box on box, mirrored across an upright line or not, the way there being the way back. */
+static ktg_vec2 onto(ktg_vec2 p, extent from, extent to, bool mirror) {
+    ktg_vec2 v = ktg_sub2(p, from.low);
+    return (ktg_vec2){mirror ? to.high.x - v.x : to.low.x + v.x, to.low.y + v.y};
+}
+
+/* The sewing line of a piece, laid on another one, lies on that one's. */
+static bool lies_on(const ktg_check *check, const ktg_pattern_piece *a, const ktg_pattern_piece *b,
+                    bool mirror) {
     const ktg_pattern_line *from = sewing_line(a), *to = sewing_line(b);
-    extent ea = extent_of(a), eb = extent_of(b);
-    if (!from || !to)
-        return false;
-    for (size_t i = 0; i < to->point_count; i++) {
-        ktg_vec2 p = ktg_sub2(to->points[i], eb.low);
-        p.x = mirror ? ea.high.x - p.x : ea.low.x + p.x;
-        p.y += ea.low.y;
-        if (a->on_fold && !within(a, p, 0))
-            continue;
-        if (distance_to_line(p, from) > 2 * SAME_MM * check->mm)
+    for (size_t i = 0; i < from->point_count; i++) {
+        ktg_vec2 p = onto(from->points[i], extent_of(a), extent_of(b), mirror);
+        if (distance_to_line(p, to) > 2 * SAME_MM * check->mm)
             return false;
     }
     return true;
+}
+
+/* Half a piece has half a line only, to be looked for on the whole one. */
+static bool are_alike(const ktg_check *check, const ktg_pattern_piece *drawn,
+                      const ktg_pattern_piece *twin, bool mirror) {
+    return sewing_line(drawn) && sewing_line(twin) && lies_on(check, drawn, twin, mirror) &&
+           (drawn->on_fold || lies_on(check, twin, drawn, mirror));
 }
 
 static void check_twin(ktg_check *check, uint32_t id, uint64_t *twins) {
