@@ -8,10 +8,10 @@
 static const char unfold_usage[] =
     "usage: katagami unfold MODEL [-o FILE]... [options]\n\n"
     "Unfolds a model (OBJ, STL, PLY, OFF) into paper pieces with glue tabs, on sheets to be\n"
-    "printed at 100 %. Without -o it writes NAME.pdf beside the model; .pdf, .svg, .png and .json\n"
-    "can be written, '-' is PDF on standard output. A model of more than 500 faces is simplified\n"
-    "to 500 unless --faces says otherwise. Without a size the model becomes as large as one sheet\n"
-    "allows. Lengths take mm, cm, m, in; bare numbers are millimetres.\n"
+    "printed at 100 %. Without -o it writes NAME.pdf beside the model; .pdf, .svg, .dxf, .png and\n"
+    ".json can be written, '-' is PDF on standard output. A model of more than 500 faces is\n"
+    "simplified to 500 unless --faces says otherwise. Without a size the model becomes as large\n"
+    "as one sheet allows. Lengths take mm, cm, m, in; bare numbers are millimetres.\n"
     "Ctrl-C ends the search and writes the best so far; a second one stops at once.\n\n";
 
 static const char flatten_usage[] =
@@ -19,9 +19,9 @@ static const char flatten_usage[] =
     "Takes a garment apart along its seams, lays each panel flat as rigidly as it can, and adds\n"
     "seam allowances, notches, numbers and names. Seams are the borders of objects, groups and\n"
     "materials, and marked edges (OBJ l elements); where there are none, they are chosen. Without\n"
-    "-o it writes NAME.pdf beside the model; .pdf, .svg, .png and .json can be written. Cloth "
-    "needs\n"
-    "a size: the model's unit, or the height, width or length of the finished thing.\n\n";
+    "-o it writes NAME.pdf beside the model; .pdf, .svg, .dxf, .png and .json can be written.\n"
+    "Cloth needs a size: the model's unit, or the height, width or length of the finished "
+    "thing.\n\n";
 
 /* NAME.pdf beside the model. Free with free(). */
 static char *default_output(const char *model) {
@@ -102,7 +102,7 @@ static void tell_result(void *user, const ktg_pipeline_report *r) {
             plural(r->faces), r->pieces, plural(r->pieces), r->layout.sheets,
             plural(r->layout.sheets), ktg_layout_is_page(sheet) ? page : sheet->name,
             100 * r->layout.fill);
-    if (s->pipeline.layout.roll)
+    if (s->pipeline.layout.roll && !s->pipeline.marker)
         fprintf(stderr, "the %s %.0f mm long\n",
                 r->layout.sheets == 1 ? "sheet is" : "last sheet is",
                 r->layout.last_mm + 2 * s->pipeline.layout.sheet.margin_mm);

@@ -168,7 +168,7 @@ static bool set_paper(settings *s, const char *text) {
     if (ktg_context_new(&context) != KTG_OK)
         return false;
     ktg_status status = ktg_sheet_parse(context, text, &s->pipeline.layout.sheet);
-    s->pipeline.layout.roll = false;
+    s->pipeline.layout.roll = s->pipeline.marker = false;
     if (status != KTG_OK)
         snprintf(s->complaint, sizeof s->complaint, "%s", ktg_context_message(context));
     ktg_context_free(&context);
@@ -184,7 +184,22 @@ static bool set_roll(settings *s, const char *text) {
     sheet->width_mm = width_mm;
     sheet->height_mm = LONGEST_PAGE_MM;
     strcpy(sheet->name, "the roll");
+    s->pipeline.marker = false;
     return s->pipeline.layout.roll = true;
+}
+
+/* Fabric is a roll, too; a marker of it is one page as long as a PDF's may be. */
+static bool set_fabric_width(settings *s, const char *text) {
+    if (!set_roll(s, text))
+        return false;
+    s->pipeline.layout.sheet.height_mm = KTG_LAYOUT_PAGE_MM;
+    strcpy(s->pipeline.layout.sheet.name, "fabric");
+    return s->pipeline.marker = true;
+}
+
+static bool set_nap(settings *s, const char *text) {
+    (void)text;
+    return s->pipeline.layout.nap = true;
 }
 
 static bool set_landscape(settings *s, const char *text) {
@@ -255,6 +270,28 @@ static bool set_black(settings *s, const char *text) {
     (void)text;
     s->pipeline.render.colour = false;
     return true;
+}
+
+static bool set_svg_unit(settings *s, const char *text) {
+    static const char *const units[] = {"mm", "px72", "px96", NULL};
+    int unit = word_index(text, units);
+    s->pipeline.render.svg_unit = unit >= 0 ? (ktg_svg_unit)unit : KTG_SVG_MM;
+    return unit >= 0;
+}
+
+static bool set_real_dashes(settings *s, const char *text) {
+    (void)text;
+    return s->pipeline.render.real_dashes = true;
+}
+
+static bool set_plain_dxf(settings *s, const char *text) {
+    (void)text;
+    return s->pipeline.render.plain_dxf = true;
+}
+
+static bool set_registration(settings *s, const char *text) {
+    (void)text;
+    return s->pipeline.render.registration = true;
 }
 
 static bool set_weight(settings *s, const char *text) {
@@ -415,6 +452,9 @@ static const option_line lines[] = {
     {"landscape", 0, NULL, PAPER, set_landscape, "turn the sheet"},
     {"roll", 0, "WIDTH", PAPER, set_roll,
      "instead of sheets: pages of that width, cut off where the pieces end"},
+    {"fabric-width", 0, "WIDTH", CMD_FLATTEN, set_fabric_width,
+     "a marker: all pieces on fabric of that width, and how much of it they take"},
+    {"nap", 0, NULL, CMD_FLATTEN, set_nap, "the cloth has a nap: no piece lies head down"},
     {"margin", 0, "LENGTH", PAPER, set_margin, "left free on every side of a sheet (10mm)"},
     {"gap", 0, "LENGTH", PAPER, set_gap, "between pieces (2mm)"},
     {"oversize", 0, "split|tile|scale|error", CMD_UNFOLD, set_oversize,
@@ -447,8 +487,8 @@ static const option_line lines[] = {
      "print each panel, also the mirror image of another one"},
     {"method", 0, "auto|genetic", CMD_UNFOLD, set_method_unfold,
      "transplants, or the paper's genetic merging (auto)"},
-    {"effort", 0, "quick|normal|best", CMD_UNFOLD, set_effort,
-     "work spent on a compact net and on nesting its pieces (normal)"},
+    {"effort", 0, "quick|normal|best", PAPER, set_effort,
+     "work spent on a compact net and on nesting pieces (normal)"},
     {"ease", 0, "WEIGHT", CMD_UNFOLD, set_ease,
      "0 to 10: how much an easy assembly counts against size and tabs (0)"},
     {"method", 0, "arap|injective|two-step", CMD_FLATTEN, set_method_flatten,
@@ -469,6 +509,14 @@ static const option_line lines[] = {
     {"time", 0, "SECONDS", CMD_UNFOLD, set_time, "stop searching after that time"},
     {"black", 0, NULL, PAPER, set_black, "no colours"},
     {"dpi", 0, "N", PAPER, set_dpi, "resolution of PNG pictures (150)"},
+    {"svg-unit", 0, "mm|px72|px96", PAPER, set_svg_unit,
+     "what a unit of an SVG is, for cutters that read pixels (mm)"},
+    {"real-dashes", 0, NULL, PAPER, set_real_dashes,
+     "SVG, DXF: dashes are short lines of their own, for cutters that know no others"},
+    {"plain-dxf", 0, NULL, CMD_FLATTEN, set_plain_dxf,
+     "a DXF for cutters, one for each sheet, instead of one for garment CAD (ASTM D6673)"},
+    {"registration", 0, NULL, PAPER, set_registration,
+     "marks in the margins by which a cutter finds the print"},
     {"report", 0, "FILE.json", PAPER, set_report, "write the figures of the run"},
     {"quiet", 'q', NULL, EVERY, set_quiet, "say nothing but errors"},
     {"help", 'h', NULL, EVERY, set_help, "show this"},

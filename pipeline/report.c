@@ -120,6 +120,7 @@ ktg_status ktg_pipeline_write_report(ktg_context *context, const ktg_pipeline_op
                               {"tabs_none", r->finish.tabs_none},
                               {"mate_distance_mm", r->finish.mate_distance_mm},
                               {"sheets", r->layout.sheets},
+                              {"fabric_length_mm", r->fabric_length_mm},
                               {"sheet_width_mm", r->sheet_mm.x},
                               {"sheet_height_mm", r->sheet_mm.y},
                               {"mm_per_unit", r->mm_per_unit},

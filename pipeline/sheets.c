@@ -54,9 +54,14 @@ static ktg_status lay_out(const task *t, const ktg_layout_options *layout, ktg_p
 static ktg_status put(const task *t, const ktg_layout_options *wish, double mm_per_unit,
                       ktg_pattern *pattern, ktg_pipeline_report *report) {
     ktg_layout_options layout = *wish;
+    ktg_finish_options finish = t->options->finish;
+    if (t->options->marker) { /* every piece, and the whole of it */
+        finish.twins = false;
+        finish.on_fold_count = 0;
+    }
     KTG_TRY(ktg_check_cancel(t->context));
     KTG_TRY(ktg_pattern_scale(t->context, pattern, mm_per_unit));
-    KTG_TRY(ktg_pattern_finish(t->context, pattern, &t->options->finish, &report->finish));
+    KTG_TRY(ktg_pattern_finish(t->context, pattern, &finish, &report->finish));
     double left = seconds_left(t);
     if (!isinf(left))
         layout.seconds = fmax(LEAST_SECONDS, left);

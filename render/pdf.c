@@ -113,7 +113,7 @@ static void sheet_entry(const ktg_drawing *drawing, size_t number, char text[ENT
 static ktg_status draw_sheet(pdf *p, size_t number) {
     const ktg_pattern_sheet *sheet = &p->drawing->pattern->sheets[number];
     char label[KTG_NAME_SIZE], entry[ENTRY_SIZE];
-    bool furnished;
+    bool furnished = false;
     snprintf(label, sizeof label, "%zu", number + 1);
     if (ktg_is_tile(sheet))
         ktg_tile_name(p->drawing, sheet, label);
