@@ -74,21 +74,47 @@ static ktg_status take_panel(ktg_context *context, uint32_t face_count, ktg_cut_
     return panel->mesh->faces ? KTG_OK : KTG_MEMORY;
 }
 
-/* A vertex of the panel for each set of corners, numbered by the set's first corner. */
-static void put_faces(const ktg_mesh *mesh, uint32_t *corners, uint32_t *number,
-                      ktg_cut_surface *s) {
-    for (uint32_t f = 0; f < mesh->face_count; f++) {
-        ktg_cut_panel *panel = &s->panels[s->face_panel[f]];
-        panel->face[s->face_index[f]] = f;
-        for (uint32_t k = 0; k < 3; k++) {
-            uint32_t first = find(corners, 3 * f + k);
-            if (first == 3 * f + k) {
-                number[first] = panel->mesh->vertex_count++;
-                panel->vertex[number[first]] = mesh->faces[first];
-            }
-            panel->mesh->faces[3 * (size_t)s->face_index[f] + k] = number[first];
-        }
+static void put_faces(const ktg_mesh *mesh, ktg_cut_surface *s) {
+    for (uint32_t f = 0; f < mesh->face_count; f++)
+        s->panels[s->face_panel[f]].face[s->face_index[f]] = f;
+}
+
+/* The corners in the order of their vertices, so that a panel keeps the surface's order. */
+static ktg_status sort_corners(ktg_context *context, const ktg_mesh *mesh, uint32_t *sorted) {
+    uint32_t *first = ktg_new(context, (size_t)mesh->vertex_count + 1, uint32_t);
+    if (!first)
+        return KTG_MEMORY;
+    for (size_t k = 0; k < 3 * (size_t)mesh->face_count; k++)
+        first[mesh->faces[k] + 1]++;
+    for (uint32_t v = 0; v < mesh->vertex_count; v++)
+        first[v + 1] += first[v];
+    for (uint32_t k = 0; k < 3 * mesh->face_count; k++)
+        sorted[first[mesh->faces[k]]++] = k;
+    ktg_free(first);
+    return KTG_OK;
+}
+
+/* A vertex of the panel for each set of corners, met first at the set's first corner. */
+static void put_corner(const ktg_mesh *mesh, uint32_t corner, uint32_t first, uint32_t *number,
+                       ktg_cut_surface *s) {
+    ktg_cut_panel *panel = &s->panels[s->face_panel[corner / 3]];
+    if (first == corner) {
+        number[corner] = panel->mesh->vertex_count++;
+        panel->vertex[number[corner]] = mesh->faces[corner];
     }
+    panel->mesh->faces[3 * (size_t)s->face_index[corner / 3] + corner % 3] = number[first];
+}
+
+static ktg_status put_corners(ktg_context *context, const ktg_mesh *mesh, uint32_t *corners,
+                              ktg_cut_surface *s) {
+    uint32_t *sorted = ktg_new(context, 3 * (size_t)mesh->face_count, uint32_t);
+    uint32_t *number = ktg_new(context, 3 * (size_t)mesh->face_count, uint32_t);
+    ktg_status status = sorted && number ? sort_corners(context, mesh, sorted) : KTG_MEMORY;
+    for (size_t k = 0; status == KTG_OK && k < 3 * (size_t)mesh->face_count; k++)
+        put_corner(mesh, sorted[k], find(corners, sorted[k]), number, s);
+    ktg_free(sorted);
+    ktg_free(number);
+    return status;
 }
 
 static ktg_status put_positions(ktg_context *context, const ktg_mesh *mesh, ktg_cut_panel *panel) {
@@ -105,11 +131,8 @@ static ktg_status make_panels(ktg_context *context, const ktg_mesh *mesh, uint32
     KTG_TRY(number_panels(context, mesh->face_count, faces, s, sizes));
     for (uint32_t p = 0; p < s->count; p++)
         KTG_TRY(take_panel(context, (*sizes)[p], &s->panels[p]));
-    uint32_t *number = ktg_new(context, 3 * (size_t)mesh->face_count, uint32_t);
-    if (!number)
-        return KTG_MEMORY;
-    put_faces(mesh, corners, number, s);
-    ktg_free(number);
+    put_faces(mesh, s);
+    KTG_TRY(put_corners(context, mesh, corners, s));
     for (uint32_t p = 0; p < s->count; p++)
         KTG_TRY(put_positions(context, mesh, &s->panels[p]));
     return KTG_OK;

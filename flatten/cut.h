@@ -9,7 +9,7 @@
 
 /* One panel as a mesh of its own, in which the two sides of a seam have vertices of their own. */
 typedef struct ktg_cut_panel {
-    ktg_mesh *mesh;   /* positions and faces only; vertices in the order in which faces use them */
+    ktg_mesh *mesh;   /* positions and faces only; vertices in the surface's order */
     uint32_t *vertex; /* mesh->vertex_count: the surface's vertex */
     uint32_t *face;   /* mesh->face_count: the surface's face, ascending */
 } ktg_cut_panel;

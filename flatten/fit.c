@@ -46,14 +46,14 @@ static ktg_status lay_quickly(ktg_context *context, fitting *f) {
     uint32_t iterations = 0;
     f->limit->work += f->panel->face_count;
     KTG_TRY(ktg_conformal_start(context, f->panel, f->rests, f->flat));
-    return ktg_descend(context, f->panel, f->rests, KTG_ENERGY_ARAP, f->flat, &iterations);
+    return ktg_descend(context, f->panel, f->rests, KTG_ENERGY_ARAP, NULL, f->flat, &iterations);
 }
 
 /* Does it come out as ktg_flatten would accept it? Asked only where the strain is within the limit
  * or nearly so: folds are then few, and the injective method may have to take over. */
 static ktg_status settle(ktg_context *context, fitting *f, ktg_fit *fit) {
     ktg_flatten_options options;
-    ktg_flatten_report report = {0};
+    ktg_panel_report report = {0};
     uint32_t vertices[2];
     bool crossed = false;
     if (ktg_panel_count_flipped(f->panel, f->flat) == 0)

@@ -130,10 +130,23 @@ void ktg_relax(const ktg_panel *panel, const ktg_rest *rests, ktg_vec2 *flat);
 
 /* ---- descent.c ---------------------------------------------------------------------------- */
 
-/* From `flat` down to where the energy no longer falls. KTG_ENERGY_DIRICHLET: `flat` has no fold
- * and gets none. `iterations` is added to. */
+/* Edges that are to have a given length: each adds stiffness / 2 (|edge| - length)^2. */
+typedef struct ktg_springs {
+    uint32_t count;
+    uint32_t *halfedges; /* count: of the panel, one for each edge */
+    double *lengths;     /* count: normalised */
+    double stiffness;
+} ktg_springs;
+
+/* Their energy, which is added to the gradient unless that is NULL. */
+double ktg_springs_value(const ktg_panel *panel, const ktg_springs *springs, const ktg_vec2 *flat,
+                         ktg_vec2 *gradient);
+
+/* From `flat` down to where the energy, with that of springs (or NULL), no longer falls.
+ * KTG_ENERGY_DIRICHLET: `flat` has no fold and gets none. `iterations` is added to. */
 KTG_NODISCARD ktg_status ktg_descend(ktg_context *context, const ktg_panel *panel,
-                                     const ktg_rest *rests, ktg_energy energy, ktg_vec2 *flat,
+                                     const ktg_rest *rests, ktg_energy energy,
+                                     const ktg_springs *springs, ktg_vec2 *flat,
                                      uint32_t *iterations);
 
 #endif

@@ -5,16 +5,20 @@ from collections import namedtuple
 from . import vec
 from .clash import clashes
 from .mesh import neighbours
+from .panels import mirror_problems, panel_problems
 
 # The promise of one model.  `genus` and `borders` are totals over all
 # components; `edge` is the least edge as a share of the model's largest
 # dimension, `angle` the least corner angle in degrees, and `clearance` the
 # least distance of unrelated triangles in model units.  A model that is
 # `starlike` (every face visible from one inner point) cannot intersect
-# itself, which is far quicker to prove than testing pairs of triangles.
+# itself, which is far quicker to prove than testing pairs of triangles.  A
+# garment falls into `panels` along its groups and marked edges, each a disk,
+# and is its own mirror image.
 Promise = namedtuple(
-    "Promise", "faces components genus borders edge angle clearance starlike",
-    defaults=(1, 0, 0, 0.02, 10.0, 0.01, None))
+    "Promise", "faces components genus borders edge angle clearance starlike "
+    "panels mirrored",
+    defaults=(1, 0, 0, 0.02, 10.0, 0.01, None, None, False))
 
 
 class Broken(Exception):
@@ -28,6 +32,10 @@ def check(name, mesh, promise):
         problems = list(topology_problems(mesh, promise))
     if not problems:
         problems = list(space_problems(mesh, promise))
+    if not problems and promise.panels is not None:
+        problems = list(panel_problems(mesh, promise.panels))
+    if not problems and promise.mirrored:
+        problems = list(mirror_problems(mesh))
     if problems:
         raise Broken("%s: %s" % (name, "; ".join(problems)))
     return figures(mesh)

@@ -153,7 +153,8 @@ static inline double worst_of_panels(ktg_context *context, const garment *g, uin
         ktg_status status =
             ktg_flatten(context, parts.panels[p].mesh, "panel", NULL, &pattern, &report);
         assert_int_equal(status, KTG_OK);
-        worst = fmax(worst, report.area_beyond_limit);
+        worst = fmax(worst, report.whole.area_beyond_limit);
+        ktg_flatten_report_free(&report);
         ktg_pattern_free(&pattern);
     }
     ktg_cut_surface_free(&parts);

@@ -34,10 +34,10 @@ static void cut_line(sheet *s, uint32_t end) {
     }
 }
 
-static void assert_faithful(const sheet *s, const ktg_cut_surface *surface) {
+static void assert_faithful(const sheet *s, const ktg_cut_surface *apart) {
     for (uint32_t f = 0; f < s->mesh->face_count; f++) {
-        const ktg_cut_panel *panel = &surface->panels[surface->face_panel[f]];
-        uint32_t index = surface->face_index[f];
+        const ktg_cut_panel *panel = &apart->panels[apart->face_panel[f]];
+        uint32_t index = apart->face_index[f];
         assert_int_equal(panel->face[index], f);
         for (uint32_t k = 0; k < 3; k++) {
             uint32_t v = panel->mesh->faces[3 * index + k];
@@ -50,16 +50,16 @@ static void assert_faithful(const sheet *s, const ktg_cut_surface *surface) {
 
 static void check(ktg_context *context, uint32_t end, uint32_t panels, uint32_t vertices) {
     sheet s = sheet_new(context);
-    ktg_cut_surface surface;
+    ktg_cut_surface apart;
     uint32_t total = 0;
     cut_line(&s, end);
-    assert_int_equal(ktg_cut_apart(context, s.mesh, s.adjacency, s.cut, &surface), KTG_OK);
-    assert_int_equal(surface.count, panels);
-    for (uint32_t p = 0; p < surface.count; p++)
-        total += surface.panels[p].mesh->vertex_count;
+    assert_int_equal(ktg_cut_apart(context, s.mesh, s.adjacency, s.cut, &apart), KTG_OK);
+    assert_int_equal(apart.count, panels);
+    for (uint32_t p = 0; p < apart.count; p++)
+        total += apart.panels[p].mesh->vertex_count;
     assert_int_equal(total, vertices);
-    assert_faithful(&s, &surface);
-    ktg_cut_surface_free(&surface);
+    assert_faithful(&s, &apart);
+    ktg_cut_surface_free(&apart);
     sheet_drop(&s);
 }
 
