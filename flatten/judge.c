@@ -21,21 +21,22 @@ static ktg_status judge_seams(ktg_context *context, const ktg_search *s, ktg_out
     return KTG_OK;
 }
 
+static void add_panel(const ktg_search *s, const ktg_fit *fit, ktg_outcome *o) {
+    o->beyond += !fit->good;
+    o->failing += ktg_fit_failing(fit, &s->limit);
+    o->worst = ktg_max(o->worst, fit->beyond);
+    o->awkward += ktg_fit_shape(fit);
+    o->awkward += fit->area < small_part * s->sheet->area ? small_cost : 0;
+}
+
 static ktg_status judge_panels(ktg_context *context, ktg_search *s, const ktg_mesh *mesh,
                                ktg_outcome *o) {
-    ktg_cut_surface parts;
-    KTG_TRY(ktg_cut_apart(context, mesh, s->adjacency, s->cut, &parts));
-    ktg_status status = KTG_OK;
-    for (uint32_t p = 0; status == KTG_OK && p < parts.count; p++) {
-        ktg_fit fit = {0};
-        status = ktg_fit_measure(context, parts.panels[p].mesh, &s->limit, &fit);
-        o->beyond += !fit.good;
-        o->failing += ktg_fit_failing(&fit, &s->limit);
-        o->worst = ktg_max(o->worst, fit.beyond);
-        o->awkward += ktg_fit_shape(&fit);
-        o->awkward += fit.area < small_part * s->sheet->area ? small_cost : 0;
-    }
-    ktg_cut_surface_free(&parts);
+    ktg_fit *fits;
+    uint32_t count;
+    ktg_status status = ktg_fit_matched(context, mesh, s->cut, &s->limit, &fits, &count);
+    for (uint32_t p = 0; status == KTG_OK && p < count; p++)
+        add_panel(s, &fits[p], o);
+    ktg_free(fits);
     return status;
 }
 
@@ -67,10 +68,8 @@ static ktg_status judge_both(ktg_context *context, ktg_search *s, ktg_outcome *o
 ktg_status ktg_search_judge(ktg_context *context, ktg_search *s, ktg_outcome *o) {
     double searched = s->limit.area_part;
     s->limit.area_part = s->options->area_part;
-    s->limit.thorough = true;
     ktg_status status = judge_both(context, s, o);
     s->limit.area_part = searched;
-    s->limit.thorough = false;
     o->exhausted = s->exhausted;
     return status;
 }
