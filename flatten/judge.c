@@ -40,35 +40,40 @@ static ktg_status judge_panels(ktg_context *context, ktg_search *s, const ktg_me
     return status;
 }
 
-static ktg_status judge_slid(ktg_context *context, ktg_search *s, ktg_outcome *o) {
+static ktg_status judge_slid(ktg_context *context, ktg_search *s, double part, ktg_outcome *o) {
     ktg_mesh slid = s->mesh;
     slid.positions =
         ktg_copy_array(context, s->mesh.positions, s->mesh.vertex_count, sizeof(ktg_vec3));
     if (!slid.positions)
         return KTG_MEMORY;
-    ktg_status status = ktg_seams_slide(context, &slid, s->adjacency, s->cut, s->given, NULL);
+    *o = (ktg_outcome){.slid = part, .awkward = rough_cost * (1 - part)};
+    ktg_status status = KTG_OK;
+    if (part > 0)
+        status = ktg_seams_slide(context, &slid, s->adjacency, s->cut, s->given, part, NULL);
     if (status == KTG_OK)
         status = judge_panels(context, s, &slid, o);
     ktg_free(slid.positions);
     return status;
 }
 
-/* As ktg_seams_slide will leave the surface, unless that spoils what fits without. */
-static ktg_status judge_both(ktg_context *context, ktg_search *s, ktg_outcome *o) {
-    ktg_outcome slid = {.slid = true}, rough = {.awkward = rough_cost};
-    if (s->options->slide)
-        KTG_TRY(judge_slid(context, s, &slid));
-    if (!s->options->slide || slid.failing > 0)
-        KTG_TRY(judge_panels(context, s, &s->mesh, &rough));
-    bool take = s->options->slide && !(slid.failing > 0 && rough.failing < slid.failing);
-    *o = take ? slid : rough;
+/* Slid as far as panels fit; where they do not in any way, as they do best. */
+static ktg_status judge_all(ktg_context *context, ktg_search *s, ktg_outcome *o) {
+    static const double parts[] = {1, 0.75, 0.5, 0};
+    enum { count = sizeof parts / sizeof *parts };
+    o->failing = INFINITY;
+    for (int k = s->options->slide ? 0 : count - 1; k < count && o->failing > 0; k++) {
+        ktg_outcome its;
+        KTG_TRY(judge_slid(context, s, parts[k], &its));
+        if (its.failing < o->failing)
+            *o = its;
+    }
     return judge_seams(context, s, o);
 }
 
 ktg_status ktg_search_judge(ktg_context *context, ktg_search *s, ktg_outcome *o) {
     double searched = s->limit.area_part;
     s->limit.area_part = s->options->area_part;
-    ktg_status status = judge_both(context, s, o);
+    ktg_status status = judge_all(context, s, o);
     s->limit.area_part = searched;
     o->exhausted = s->exhausted;
     return status;

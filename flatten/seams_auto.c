@@ -14,12 +14,12 @@
 /* Searches that begin differently are made while all together lay less than this flat; and faces
  * laid flat to see which seams are needed. */
 enum { attempts = 12 };
-static const uint64_t most_attempt_work = 1500000, most_revision_work = 2000000;
+static const uint64_t most_attempt_work = 2000000, most_revision_work = 2000000;
 
 /* Of the area that may be beyond the limit, the part that the search makes use of, and the part
  * that smoothing does more: what comes after, sliding seams and making them equally long, strains a
  * little more, in some attempts too much. */
-static const double spares[] = {0.85, 0.6}, spare_smooth = 0.1;
+static const double spares[] = {0.6, 0.85, 0.4}, spare_smooth = 0.1;
 
 /* One half, then the other with the same seams. */
 static ktg_status refine_mirrored(ktg_context *context, ktg_search *s) {
@@ -71,9 +71,9 @@ static ktg_status try_all(ktg_context *context, ktg_search *s, bool *best) {
     ktg_outcome least = {.failing = INFINITY, .awkward = INFINITY};
     for (uint32_t i = 0; i < attempts && may_attempt(context, s, i); i++) {
         ktg_outcome its;
-        s->lines_last = i % 2 == 0;
-        s->limit.area_part = 1 - spares[i / 2 % 2] * (1 - s->options->area_part);
-        s->first_rank = i / 4;
+        s->limit.area_part = 1 - spares[i % 3] * (1 - s->options->area_part);
+        s->lines_last = i / 3 % 2 == 0;
+        s->first_rank = i / 6;
         KTG_TRY(attempt(context, s, &its));
         if (!ktg_outcome_is_better(&its, &least))
             continue;
