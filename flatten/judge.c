@@ -5,10 +5,24 @@
 #include "flatten/search.h"
 
 /* A panel smaller than this part of the surface costs so much more; a dart, and an end of a seam at
- * another one; seams that cannot be slid smooth. All as length of seam in square roots of the area
- * of the surface. */
+ * another one; seams that cannot be slid smooth; and, more for its length, one that is not
+ * mirrored. All as length of seam in square roots of the area of the surface. */
 static const double small_part = 0.03, small_cost = 1;
-static const double dart_cost = 0.15, corner_cost = 0.12, rough_cost = 4;
+static const double dart_cost = 0.15, corner_cost = 0.12, rough_cost = 7, alone_cost = 2;
+
+/* Seams off the mirror plane that have none like them on its other side. */
+static double length_alone(const ktg_search *s, const ktg_chains *chains) {
+    double length = 0;
+    for (uint32_t c = 0; c < chains->count; c++) {
+        const ktg_chain *chain = &chains->chains[c];
+        uint32_t e = chains->edges[chain->first + chain->count / 2];
+        ktg_vec3 p = s->sheet->mesh->positions[s->sheet->ends[2 * (size_t)e]];
+        bool off = fabs(ktg_mirror_side(&s->mirror, p)) > 2 * s->sheet->mean_edge;
+        if (off && ktg_mirror_partner(s->sheet, &s->mirror, chains, c) == c)
+            length += chain->length;
+    }
+    return length;
+}
 
 static ktg_status judge_seams(ktg_context *context, const ktg_search *s, ktg_outcome *o) {
     ktg_chains chains;
@@ -17,6 +31,8 @@ static ktg_status judge_seams(ktg_context *context, const ktg_search *s, ktg_out
         o->awkward += chains.chains[c].length / sqrt(s->sheet->area);
     o->awkward += dart_cost * ktg_chains_darts(s->sheet, &chains);
     o->awkward += corner_cost * ktg_chains_corners(s->sheet, &chains);
+    if (s->mirror.found)
+        o->awkward += alone_cost * length_alone(s, &chains) / sqrt(s->sheet->area);
     ktg_chains_free(&chains);
     return KTG_OK;
 }
