@@ -19,7 +19,7 @@ static const uint64_t most_attempt_work = 2000000, most_revision_work = 2000000;
 /* Of the area that may be beyond the limit, the part that the search makes use of, and the part
  * that smoothing does more: what comes after, sliding seams and making them equally long, strains a
  * little more, in some attempts too much. */
-static const double spares[] = {0.85, 0.5, 0.3}, spare_smooth = 0.1;
+static const double spares[] = {0.5, 0.85, 0.3}, spare_smooth = 0.1;
 
 /* One half, then the other with the same seams. */
 static ktg_status refine_mirrored(ktg_context *context, ktg_search *s) {
