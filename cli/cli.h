@@ -69,6 +69,7 @@ bool cli_set_fabric(settings *s, const char *text);
 bool cli_set_grain(settings *s, const char *text);
 bool cli_set_on_fold(settings *s, const char *text);
 bool cli_set_no_twins(settings *s, const char *text);
+bool cli_set_no_strain_map(settings *s, const char *text);
 bool cli_set_allowance(settings *s, const char *text);
 bool cli_set_hem(settings *s, const char *text);
 bool cli_set_notch(settings *s, const char *text);

@@ -481,6 +481,8 @@ static const option_line lines[] = {
     {"on-fold", 0, "PANEL", CMD_FLATTEN, cli_set_on_fold,
      "cut that symmetric panel on the fold of the cloth: half of it is printed; may be given "
      "several times"},
+    {"no-strain-map", 0, NULL, CMD_FLATTEN, cli_set_no_strain_map,
+     "leave out the PDF's page that shows where the cloth strains"},
     {"no-twins", 0, NULL, CMD_FLATTEN, cli_set_no_twins,
      "print each panel, also the mirror image of another one"},
     {"method", 0, "auto|genetic", CMD_UNFOLD, set_method_unfold,

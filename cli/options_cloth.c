@@ -112,6 +112,12 @@ bool cli_set_no_twins(settings *s, const char *text) {
     return true;
 }
 
+bool cli_set_no_strain_map(settings *s, const char *text) {
+    (void)text;
+    s->pipeline.render.strain_map = false;
+    return true;
+}
+
 static bool set_length(const char *text, double *mm) {
     return cli_parse_length(text, mm) && *mm <= 1000;
 }

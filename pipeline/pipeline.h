@@ -71,7 +71,7 @@ typedef struct ktg_pipeline_options {
     ktg_flatten_options flatten;
     ktg_finish_options finish;
     ktg_layout_options layout; /* what unfold.seconds leaves limits its time */
-    ktg_render_options render; /* its `up` and `marker` are set by the run */
+    ktg_render_options render; /* its `up`, `marker` and `strain_limit` are set by the run */
     bool marker; /* cloth: the layout's roll is fabric, on which all pieces lie, twins too, and
                     whole: finish.twins and on_fold are passed over */
 

@@ -94,7 +94,13 @@ static ktg_status put_cloth(ktg_context *context, ktg_output *output,
                               {"cut_edges", f->seam_edges},
                               {"cut_edges_opened", f->opened_edges},
                               {"cut_edges_auto", f->auto_edges},
-                              {"seam_error", f->seam_error}};
+                              {"edge_error", f->seam_error},
+                              {"seam_error", r->finish.seam_error},
+                              {"seam_error_mm", r->finish.seam_error_mm},
+                              {"darts", r->finish.darts},
+                              {"notches", r->finish.notches},
+                              {"twins", r->finish.twins},
+                              {"on_fold", r->finish.on_fold}};
     KTG_TRY(put_text(context, output, "method", ktg_flatten_method_name(whole->method)));
     KTG_TRY(put_figures(context, output, figures, sizeof figures / sizeof *figures));
     return put_panels(context, output, f);

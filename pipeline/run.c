@@ -107,6 +107,7 @@ static ktg_status run(ktg_context *context, const ktg_pipeline_options *options,
     ktg_pipeline_options with_title = *options;
     if (!with_title.render.title)
         with_title.render.title = j->title;
+    with_title.render.strain_limit = options->flatten.strain_limit;
     with_title.render.up = (unsigned)(ktg_size_up(options) - KTG_AXIS_X);
     with_title.render.marker = options->marker;
     KTG_TRY(ktg_outputs_write(context, &with_title, j->pattern, &j->outputs));

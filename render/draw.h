@@ -305,7 +305,8 @@ void ktg_column_skip(ktg_column *at, double mm);
 
 #define KTG_NAME_SIZE 128
 
-/* What a piece is called: "body", or "body 2 of 3" where its part of the model has several. */
+/* What a piece is called: "body", or, of paper, "body 2 of 3" where its part of the model has
+ * several. */
 void ktg_drawing_piece_name(const ktg_drawing *drawing, uint32_t piece, char name[KTG_NAME_SIZE]);
 
 /* Only "2 of 3"; "" where its part of the model has no other piece. */
@@ -353,6 +354,13 @@ KTG_NODISCARD ktg_status ktg_solid_draw(const ktg_drawing *drawing, cairo_t *cai
 /* How many pages with the maps of posters come first in a PDF, and one of them (from 0). */
 size_t ktg_cover_count(const ktg_drawing *drawing);
 void ktg_cover_draw(const ktg_drawing *drawing, cairo_t *cairo, size_t number);
+
+/* Cloth: a page that shows where it strains, with a square to check the printer by. */
+bool ktg_strain_is_wanted(const ktg_drawing *drawing);
+KTG_NODISCARD ktg_status ktg_strain_draw(const ktg_drawing *drawing, cairo_t *cairo,
+                                         double width_mm, double height_mm);
+/* A square of 50 mm with its upper left corner at (x, y). */
+void ktg_test_square_draw(cairo_t *cairo, double x, double y);
 
 /* A page of its own that tells how to read the pattern. */
 void ktg_guide_draw(const ktg_drawing *drawing, cairo_t *cairo, double width_mm, double height_mm);

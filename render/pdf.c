@@ -127,6 +127,17 @@ static ktg_status draw_sheet(pdf *p, size_t number) {
     return status;
 }
 
+static ktg_status draw_strain(pdf *p) {
+    const ktg_pattern_sheet *first = &p->drawing->pattern->sheets[0];
+    if (!ktg_strain_is_wanted(p->drawing))
+        return KTG_OK;
+    begin_page(p, "strain", first);
+    add_entry(p, CAIRO_PDF_OUTLINE_ROOT, "Where the cloth strains", false);
+    ktg_status status = ktg_strain_draw(p->drawing, p->cairo, first->width_mm, first->height_mm);
+    cairo_show_page(p->cairo);
+    return status;
+}
+
 static ktg_status draw_pages(pdf *p) {
     const ktg_pattern *pattern = p->drawing->pattern;
     ktg_status status = KTG_OK;
@@ -140,7 +151,7 @@ static ktg_status draw_pages(pdf *p) {
         ktg_guide_draw(p->drawing, p->cairo, first->width_mm, first->height_mm);
         cairo_show_page(p->cairo);
     }
-    return status;
+    return status == KTG_OK ? draw_strain(p) : status;
 }
 
 static ktg_status draw_pdf(const ktg_drawing *drawing, ktg_output *output) {

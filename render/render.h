@@ -29,6 +29,8 @@ typedef struct ktg_render_options {
     unsigned up;          /* which axis of the model is height: 0 x, 1 y, 2 z; 1 */
     bool
         colour; /* mountain red, valley blue; the dashes tell them apart without it; default true */
+    bool strain_map;       /* cloth: the PDF ends with a page that shows where it strains; true */
+    double strain_limit;   /* of that page's colours; 0.05 */
     ktg_svg_unit svg_unit; /* millimetres */
     bool real_dashes;      /* SVG, DXF: dashes are short paths of their own; default false */
     bool plain_dxf;    /* of cloth too, a DXF is for cutters, not for garment CAD; default false */

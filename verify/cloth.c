@@ -279,8 +279,9 @@ static ktg_vec2 onto(ktg_vec2 p, extent from, extent to, bool mirror) {
 static bool lies_on(const ktg_check *check, const ktg_pattern_piece *a, const ktg_pattern_piece *b,
                     bool mirror) {
     const ktg_pattern_line *from = sewing_line(a), *to = sewing_line(b);
+    extent ea = extent_of(a), eb = extent_of(b);
     for (size_t i = 0; i < from->point_count; i++) {
-        ktg_vec2 p = onto(from->points[i], extent_of(a), extent_of(b), mirror);
+        ktg_vec2 p = onto(from->points[i], ea, eb, mirror);
         if (distance_to_line(p, to) > 2 * SAME_MM * check->mm)
             return false;
     }
