@@ -57,10 +57,8 @@ static ktg_status set_grain(ktg_context *context, ktg_flat_surface *s) {
     return KTG_OK;
 }
 
-static ktg_status flatten(ktg_context *context, ktg_flat_surface *surface, ktg_pattern **pattern) {
-    ktg_progress(context, "flatten", 0, NULL);
-    KTG_TRY(check_options(context, surface->options));
-    KTG_TRY(ktg_check_cancel(context));
+static ktg_status flatten_once(ktg_context *context, ktg_flat_surface *surface,
+                               ktg_pattern **pattern) {
     KTG_TRY(ktg_flat_surface_open(context, surface));
     KTG_TRY(ktg_flat_surface_lay(context, surface));
     KTG_TRY(ktg_seams_match(context, surface));
@@ -68,9 +66,36 @@ static ktg_status flatten(ktg_context *context, ktg_flat_surface *surface, ktg_p
     ktg_progress(context, "flatten", 0.95, "strain");
     KTG_TRY(ktg_check_cancel(context));
     KTG_TRY(ktg_flat_surface_judge(context, surface));
-    KTG_TRY(ktg_flat_pattern(context, surface, pattern));
+    return ktg_flat_pattern(context, surface, pattern);
+}
+
+/* Making both sides of a seam equally long strains a panel a little more than it was when its seams
+ * were chosen: where that is too much, they are chosen again with more to spare. */
+static ktg_status flatten(ktg_context *context, const ktg_mesh *mesh, const char *name,
+                          const ktg_flatten_options *options, ktg_pattern **pattern,
+                          ktg_flatten_report *report) {
+    static const double parts[] = {0.958, 0.972, 0.985};
+    ktg_status status = KTG_OK;
+    bool again = true;
+    KTG_TRY(check_options(context, options));
+    for (size_t k = 0; again && k < sizeof parts / sizeof *parts; k++) {
+        ktg_flat_surface surface = {.mesh = mesh,
+                                    .options = options,
+                                    .name = name,
+                                    .area_part = parts[k],
+                                    .report = report};
+        ktg_pattern_free(pattern);
+        ktg_flatten_report_free(report);
+        *report = (ktg_flatten_report){.strain_limit = options->strain_limit};
+        ktg_progress(context, "flatten", 0, NULL);
+        KTG_TRY(ktg_check_cancel(context));
+        status = flatten_once(context, &surface, pattern);
+        again = surface.chosen && status == KTG_OK && report->panels_beyond > 0 &&
+                !ktg_wants_finish(context);
+        ktg_flat_surface_drop(&surface);
+    }
     ktg_progress(context, "flatten", 1, NULL);
-    return KTG_OK;
+    return status;
 }
 
 ktg_status ktg_flatten(ktg_context *context, const ktg_mesh *mesh, const char *name,
@@ -80,12 +105,9 @@ ktg_status ktg_flatten(ktg_context *context, const ktg_mesh *mesh, const char *n
     ktg_flatten_options defaults;
     ktg_flatten_report measured = {0};
     ktg_flatten_defaults(&defaults);
-    ktg_flat_surface surface = {
-        .mesh = mesh, .options = options ? options : &defaults, .name = name, .report = &measured};
-    measured.strain_limit = surface.options->strain_limit;
     *pattern = NULL;
-    ktg_status status = flatten(context, &surface, pattern);
-    ktg_flat_surface_drop(&surface);
+    ktg_status status =
+        flatten(context, mesh, name, options ? options : &defaults, pattern, &measured);
     measured.seconds = ktg_clock_seconds() - start;
     if (report)
         *report = measured;

@@ -84,6 +84,9 @@ KTG_NODISCARD ktg_status ktg_laplacian_extend(ktg_context *context, ktg_laplacia
 KTG_NODISCARD ktg_status ktg_conformal_start(ktg_context *context, const ktg_panel *panel,
                                              const ktg_rest *rests, ktg_vec2 *flat);
 
+/* 2 pi (on the border pi) minus the angles around each vertex, in .x (vertex_count). */
+void ktg_angle_defects(const ktg_panel *panel, const ktg_rest *rests, ktg_vec2 *defects);
+
 /* Tutte's map: the border around a circle, every other vertex in the mean of its
  * neighbours, so that no face can fold but by rounding. */
 KTG_NODISCARD ktg_status ktg_convex_start(ktg_context *context, const ktg_panel *panel,
