@@ -69,33 +69,37 @@ static ktg_status flatten_once(ktg_context *context, ktg_flat_surface *surface,
     return ktg_flat_pattern(context, surface, pattern);
 }
 
-/* Making both sides of a seam equally long strains a panel a little more than it was when its seams
- * were chosen: where that is too much, they are chosen again with more to spare. */
-static ktg_status flatten(ktg_context *context, const ktg_mesh *mesh, const char *name,
-                          const ktg_flatten_options *options, ktg_pattern **pattern,
-                          ktg_flatten_report *report) {
-    static const double parts[] = {0.958, 0.972, 0.985};
-    ktg_status status = KTG_OK;
-    bool again = true;
-    KTG_TRY(check_options(context, options));
-    for (size_t k = 0; again && k < sizeof parts / sizeof *parts; k++) {
-        ktg_flat_surface surface = {.mesh = mesh,
-                                    .options = options,
-                                    .name = name,
-                                    .area_part = parts[k],
-                                    .report = report};
-        ktg_pattern_free(pattern);
-        ktg_flatten_report_free(report);
-        *report = (ktg_flatten_report){.strain_limit = options->strain_limit};
-        ktg_progress(context, "flatten", 0, NULL);
-        KTG_TRY(ktg_check_cancel(context));
-        status = flatten_once(context, &surface, pattern);
-        again = surface.chosen && status == KTG_OK && report->panels_beyond > 0 &&
-                !ktg_wants_finish(context);
-        ktg_flat_surface_drop(&surface);
-    }
-    ktg_progress(context, "flatten", 1, NULL);
+/* One try, from nothing. */
+static ktg_status attempt(ktg_context *context, ktg_flat_surface *surface, ktg_pattern **pattern) {
+    ktg_pattern_free(pattern);
+    ktg_flatten_report_free(surface->report);
+    *surface->report = (ktg_flatten_report){.strain_limit = surface->options->strain_limit};
+    ktg_progress(context, "flatten", 0, NULL);
+    ktg_status status = ktg_check_cancel(context);
+    if (status == KTG_OK)
+        status = flatten_once(context, surface, pattern);
+    ktg_flat_surface_drop(surface);
     return status;
+}
+
+/* Making both sides of a seam equally long strains a panel a little more than it was when its seams
+ * were chosen: where that is too much, they are chosen again with more to spare. And where nobody
+ * said where seams are to be, a panel that cannot be laid flat gets some. */
+static ktg_status flatten(ktg_context *context, ktg_flat_surface *surface, ktg_pattern **pattern) {
+    static const double parts[] = {0.958, 0.972, 0.985};
+    size_t k = 0;
+    KTG_TRY(check_options(context, surface->options));
+    for (;;) {
+        surface->area_part = parts[k];
+        ktg_status status = attempt(context, surface, pattern);
+        bool beyond = status == KTG_OK && surface->chosen && surface->report->panels_beyond > 0;
+        bool folds = status == KTG_GEOMETRY && !surface->chosen && surface->options->seams == 0 &&
+                     surface->report->opened_edges > 0;
+        surface->choose = surface->choose || folds;
+        k += beyond;
+        if ((!beyond && !folds) || k == sizeof parts / sizeof *parts || ktg_wants_finish(context))
+            return status;
+    }
 }
 
 ktg_status ktg_flatten(ktg_context *context, const ktg_mesh *mesh, const char *name,
@@ -106,8 +110,10 @@ ktg_status ktg_flatten(ktg_context *context, const ktg_mesh *mesh, const char *n
     ktg_flatten_report measured = {0};
     ktg_flatten_defaults(&defaults);
     *pattern = NULL;
-    ktg_status status =
-        flatten(context, mesh, name, options ? options : &defaults, pattern, &measured);
+    ktg_flat_surface surface = {
+        .options = options ? options : &defaults, .model = mesh, .name = name, .report = &measured};
+    ktg_status status = flatten(context, &surface, pattern);
+    ktg_progress(context, "flatten", 1, NULL);
     measured.seconds = ktg_clock_seconds() - start;
     if (report)
         *report = measured;

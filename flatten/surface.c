@@ -8,6 +8,7 @@
 
 #include <string.h>
 
+/* What was given and decided stays. */
 void ktg_flat_surface_drop(ktg_flat_surface *s) {
     for (uint32_t p = 0; s->flats && p < s->apart.count; p++) {
         ktg_panel_free(&s->flats[p].panel);
@@ -20,6 +21,9 @@ void ktg_flat_surface_drop(ktg_flat_surface *s) {
     ktg_free(s->cut);
     ktg_mesh_free(&s->slid);
     ktg_adjacency_free(&s->adjacency);
+    s->flats = NULL;
+    s->face_strain = NULL;
+    s->cut = NULL;
 }
 
 /* ---- seams -------------------------------------------------------------------------------- */
@@ -67,7 +71,7 @@ static ktg_status find_seams(ktg_context *context, ktg_flat_surface *s) {
         return KTG_MEMORY;
     ktg_status status = ktg_seams_open(context, s->mesh, s->adjacency, s->cut);
     uint32_t opened = count_cuts(s) - given;
-    bool choose = (seams & KTG_SEAMS_AUTO) || (seams == 0 && given == 0 && opened > 0);
+    bool choose = s->choose || (seams & KTG_SEAMS_AUTO) || (seams == 0 && given == 0 && opened > 0);
     if (status == KTG_OK && choose) {
         memcpy(s->cut, before, s->adjacency->edge_count * sizeof *before);
         status = choose_seams(context, s);
@@ -110,6 +114,7 @@ static ktg_status check_faces(ktg_context *context, const ktg_mesh *mesh) {
 }
 
 ktg_status ktg_flat_surface_open(ktg_context *context, ktg_flat_surface *s) {
+    s->mesh = s->model;
     KTG_TRY(check_faces(context, s->mesh));
     KTG_TRY(ktg_adjacency_new(context, s->mesh, &s->adjacency));
     KTG_TRY(ktg_check_sheet(context, s->mesh, s->adjacency));
