@@ -57,10 +57,8 @@ static ktg_status set_grain(ktg_context *context, ktg_flat_surface *s) {
     return KTG_OK;
 }
 
-static ktg_status flatten(ktg_context *context, ktg_flat_surface *surface, ktg_pattern **pattern) {
-    ktg_progress(context, "flatten", 0, NULL);
-    KTG_TRY(check_options(context, surface->options));
-    KTG_TRY(ktg_check_cancel(context));
+static ktg_status flatten_once(ktg_context *context, ktg_flat_surface *surface,
+                               ktg_pattern **pattern) {
     KTG_TRY(ktg_flat_surface_open(context, surface));
     KTG_TRY(ktg_flat_surface_lay(context, surface));
     KTG_TRY(ktg_seams_match(context, surface));
@@ -68,9 +66,40 @@ static ktg_status flatten(ktg_context *context, ktg_flat_surface *surface, ktg_p
     ktg_progress(context, "flatten", 0.95, "strain");
     KTG_TRY(ktg_check_cancel(context));
     KTG_TRY(ktg_flat_surface_judge(context, surface));
-    KTG_TRY(ktg_flat_pattern(context, surface, pattern));
-    ktg_progress(context, "flatten", 1, NULL);
-    return KTG_OK;
+    return ktg_flat_pattern(context, surface, pattern);
+}
+
+/* One try, from nothing. */
+static ktg_status attempt(ktg_context *context, ktg_flat_surface *surface, ktg_pattern **pattern) {
+    ktg_pattern_free(pattern);
+    ktg_flatten_report_free(surface->report);
+    *surface->report = (ktg_flatten_report){.strain_limit = surface->options->strain_limit};
+    ktg_progress(context, "flatten", 0, NULL);
+    ktg_status status = ktg_check_cancel(context);
+    if (status == KTG_OK)
+        status = flatten_once(context, surface, pattern);
+    ktg_flat_surface_drop(surface);
+    return status;
+}
+
+/* Making both sides of a seam equally long strains a panel a little more than it was when its seams
+ * were chosen: where that is too much, they are chosen again with more to spare. And where nobody
+ * said where seams are to be, a panel that cannot be laid flat gets some. */
+static ktg_status flatten(ktg_context *context, ktg_flat_surface *surface, ktg_pattern **pattern) {
+    static const double parts[] = {0.958, 0.972, 0.985};
+    size_t k = 0;
+    KTG_TRY(check_options(context, surface->options));
+    for (;;) {
+        surface->area_part = parts[k];
+        ktg_status status = attempt(context, surface, pattern);
+        bool beyond = status == KTG_OK && surface->chosen && surface->report->panels_beyond > 0;
+        bool folds = status == KTG_GEOMETRY && !surface->chosen && surface->options->seams == 0 &&
+                     surface->report->opened_edges > 0;
+        surface->choose = surface->choose || folds;
+        k += beyond;
+        if ((!beyond && !folds) || k == sizeof parts / sizeof *parts || ktg_wants_finish(context))
+            return status;
+    }
 }
 
 ktg_status ktg_flatten(ktg_context *context, const ktg_mesh *mesh, const char *name,
@@ -80,12 +109,11 @@ ktg_status ktg_flatten(ktg_context *context, const ktg_mesh *mesh, const char *n
     ktg_flatten_options defaults;
     ktg_flatten_report measured = {0};
     ktg_flatten_defaults(&defaults);
-    ktg_flat_surface surface = {
-        .mesh = mesh, .options = options ? options : &defaults, .name = name, .report = &measured};
-    measured.strain_limit = surface.options->strain_limit;
     *pattern = NULL;
+    ktg_flat_surface surface = {
+        .options = options ? options : &defaults, .model = mesh, .name = name, .report = &measured};
     ktg_status status = flatten(context, &surface, pattern);
-    ktg_flat_surface_drop(&surface);
+    ktg_progress(context, "flatten", 1, NULL);
     measured.seconds = ktg_clock_seconds() - start;
     if (report)
         *report = measured;

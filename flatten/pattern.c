@@ -10,6 +10,7 @@ static ktg_status set_surface(ktg_context *context, const ktg_flat_surface *s,
     const ktg_mesh *mesh = s->mesh;
     pattern->mode = KTG_CLOTH;
     pattern->model_faces = mesh->face_count;
+    pattern->simplified = s->slid != NULL; /* not the same surface to the bit */
     pattern->vertex_count = mesh->vertex_count;
     pattern->face_count = mesh->face_count;
     pattern->vertices =

@@ -4,9 +4,11 @@
 
 #include "core/clock.h"
 #include "core/memory.h"
+#include "flatten/seams.h"
 
 #include <string.h>
 
+/* What was given and decided stays. */
 void ktg_flat_surface_drop(ktg_flat_surface *s) {
     for (uint32_t p = 0; s->flats && p < s->apart.count; p++) {
         ktg_panel_free(&s->flats[p].panel);
@@ -17,7 +19,11 @@ void ktg_flat_surface_drop(ktg_flat_surface *s) {
     ktg_names_free(&s->names);
     ktg_cut_surface_free(&s->apart);
     ktg_free(s->cut);
+    ktg_mesh_free(&s->slid);
     ktg_adjacency_free(&s->adjacency);
+    s->flats = NULL;
+    s->face_strain = NULL;
+    s->cut = NULL;
 }
 
 /* ---- seams -------------------------------------------------------------------------------- */
@@ -29,13 +35,53 @@ static uint32_t count_cuts(const ktg_flat_surface *s) {
     return count;
 }
 
+/* Seams are chosen on a copy of the surface, whose vertices may slide along it. */
 static ktg_status choose_seams(ktg_context *context, ktg_flat_surface *s) {
+    size_t count = s->adjacency->edge_count;
+    bool *given = ktg_copy_array(context, s->cut, count, sizeof *given);
+    ktg_seams_auto_options options;
+    ktg_seams_report chosen;
+    ktg_seams_auto_defaults(&options);
+    options.max_strain = s->options->strain_limit;
+    options.area_part = s->area_part;
+    ktg_status status = given ? KTG_OK : KTG_MEMORY;
+    if (status == KTG_OK)
+        status = ktg_seams_auto(context, s->mesh, s->adjacency, &options, s->cut, &chosen);
+    if (status == KTG_OK && chosen.slide > 0)
+        status = ktg_mesh_copy(context, s->mesh, &s->slid);
+    if (status == KTG_OK && chosen.slide > 0) {
+        s->mesh = s->slid;
+        status = ktg_seams_slide(context, s->slid, s->adjacency, s->cut, given, chosen.slide, NULL);
+    }
+    ktg_free(given);
+    return status;
+}
+
+/* What the model says, what is chosen, and what opens panels to disks. Where nobody said anything
+ * and there is something to open, a good choice is better than a short one. */
+static ktg_status find_seams(ktg_context *context, ktg_flat_surface *s) {
+    const unsigned usual =
+        KTG_SEAMS_OBJECTS | KTG_SEAMS_GROUPS | KTG_SEAMS_MATERIALS | KTG_SEAMS_MARKED;
     unsigned seams = s->options->seams;
-    if (seams == 0)
-        seams = KTG_SEAMS_OBJECTS | KTG_SEAMS_GROUPS | KTG_SEAMS_MATERIALS | KTG_SEAMS_MARKED;
-    KTG_TRY(ktg_seams_given(context, s->mesh, s->adjacency, seams, s->options->crease, s->cut));
+    KTG_TRY(ktg_seams_given(context, s->mesh, s->adjacency, seams > 0 ? seams : usual,
+                            s->options->crease, s->cut));
+    uint32_t given = count_cuts(s);
+    bool *before = ktg_copy_array(context, s->cut, s->adjacency->edge_count, sizeof *before);
+    if (!before)
+        return KTG_MEMORY;
+    ktg_status status = ktg_seams_open(context, s->mesh, s->adjacency, s->cut);
+    uint32_t opened = count_cuts(s) - given;
+    bool choose = s->choose || (seams & KTG_SEAMS_AUTO) || (seams == 0 && given == 0 && opened > 0);
+    if (status == KTG_OK && choose) {
+        memcpy(s->cut, before, s->adjacency->edge_count * sizeof *before);
+        status = choose_seams(context, s);
+    }
+    ktg_free(before);
     s->report->seam_edges = count_cuts(s);
-    return KTG_OK;
+    s->report->opened_edges = choose ? 0 : opened;
+    s->chosen = choose;
+    s->report->auto_edges = choose ? s->report->seam_edges - given : 0;
+    return status;
 }
 
 /* ---- panels ------------------------------------------------------------------------------- */
@@ -68,6 +114,7 @@ static ktg_status check_faces(ktg_context *context, const ktg_mesh *mesh) {
 }
 
 ktg_status ktg_flat_surface_open(ktg_context *context, ktg_flat_surface *s) {
+    s->mesh = s->model;
     KTG_TRY(check_faces(context, s->mesh));
     KTG_TRY(ktg_adjacency_new(context, s->mesh, &s->adjacency));
     KTG_TRY(ktg_check_sheet(context, s->mesh, s->adjacency));
@@ -75,7 +122,7 @@ ktg_status ktg_flat_surface_open(ktg_context *context, ktg_flat_surface *s) {
     s->face_strain = ktg_new(context, s->mesh->face_count, double);
     if (!s->cut || !s->face_strain)
         return KTG_MEMORY;
-    KTG_TRY(choose_seams(context, s));
+    KTG_TRY(find_seams(context, s));
     KTG_TRY(ktg_cut_apart(context, s->mesh, s->adjacency, s->cut, &s->apart));
     KTG_TRY(ktg_panel_names(context, s->mesh, &s->apart, s->name, &s->names));
     s->flats = ktg_new(context, s->apart.count, ktg_flat_panel);

@@ -22,9 +22,16 @@ typedef struct ktg_flat_panel {
 } ktg_flat_panel;
 
 typedef struct ktg_flat_surface {
-    const ktg_mesh *mesh;
+    const ktg_mesh *model; /* the caller's */
+    const ktg_mesh *mesh;  /* the same, or `slid` */
+    ktg_mesh *slid;        /* with vertices moved along the surface, so that seams are smooth, or
+                              NULL */
     const ktg_flatten_options *options;
     const char *name;
+    double area_part; /* chosen seams: the part of a panel's area that keeps to the limit before
+                         both sides of its seams are made equally long */
+    bool choose;      /* seams are to be chosen, whatever the options say */
+    bool chosen;      /* they were */
     ktg_adjacency *adjacency;
     bool *cut; /* adjacency->edge_count: the seams */
     ktg_cut_surface apart;

@@ -178,15 +178,18 @@ static ktg_status mark_seam(ktg_context *context, const ktg_cloth *cloth, ktg_pa
     return KTG_OK;
 }
 
-static ktg_status copy_marks(ktg_context *context, const ktg_pattern_seam *from, bool swapped,
-                             ktg_pattern_seam *to) {
+/* The marks of a mirror image, but for those that cannot be drawn here. */
+static ktg_status copy_marks(ktg_context *context, const ktg_cloth *cloth,
+                             const ktg_pattern_seam *from, bool swapped, ktg_pattern_seam *to) {
     to->notches = ktg_new(context, from->notch_count, ktg_pattern_notch);
     if (!to->notches)
         return KTG_MEMORY;
-    to->notch_count = from->notch_count;
     for (size_t k = 0; k < from->notch_count; k++) {
-        const ktg_pattern_notch *n = &from->notches[swapped ? from->notch_count - 1 - k : k];
-        to->notches[k] = (ktg_pattern_notch){swapped ? 1 - n->at : n->at, n->marks};
+        ktg_pattern_notch n = from->notches[swapped ? from->notch_count - 1 - k : k];
+        if (swapped)
+            n.at = 1 - n.at;
+        if (can_be_drawn(cloth, to, &n))
+            to->notches[to->notch_count++] = n;
     }
     return KTG_OK;
 }
@@ -211,7 +214,7 @@ static ktg_status spread(ktg_context *context, ktg_cloth *cloth, uint32_t first,
             if (!image_of(cloth, seam, k, &found) || seams[found.seam].number > 0)
                 continue;
             seams[found.seam].number = seam->number;
-            KTG_TRY(copy_marks(context, seam, found.swapped, &seams[found.seam]));
+            KTG_TRY(copy_marks(context, cloth, seam, found.swapped, &seams[found.seam]));
             queue[count++] = found.seam;
         }
     }
@@ -226,7 +229,7 @@ static ktg_status choose(ktg_context *context, ktg_cloth *cloth, uint32_t s, uin
         if (!image_of(cloth, &seams[s], k, &found) || seams[found.seam].number == 0)
             continue;
         seams[s].number = seams[found.seam].number;
-        return copy_marks(context, &seams[found.seam], found.swapped, &seams[s]);
+        return copy_marks(context, cloth, &seams[found.seam], found.swapped, &seams[s]);
     }
     seams[s].number = ++*number;
     return cloth->options->notch_mm > 0 ? mark_seam(context, cloth, &seams[s]) : KTG_OK;

@@ -213,12 +213,13 @@ ktg_status ktg_outputs_write(ktg_context *context, const ktg_pipeline_options *o
 }
 
 ktg_status ktg_outputs_write_report(ktg_context *context, const ktg_pipeline_options *options,
-                                    const ktg_pipeline_report *report, ktg_outputs *outputs) {
+                                    const ktg_pipeline_report *report, const ktg_pattern *pattern,
+                                    ktg_outputs *outputs) {
     ktg_output *output = NULL;
     if (!options->report)
         return KTG_OK;
     KTG_TRY(open_next(context, outputs, options->report, &output));
-    return ktg_pipeline_write_report(context, options, report, output);
+    return ktg_pipeline_write_report(context, options, report, pattern, output);
 }
 
 ktg_status ktg_outputs_finish(ktg_context *context, ktg_outputs *outputs) {

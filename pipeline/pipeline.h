@@ -129,10 +129,11 @@ KTG_API KTG_NODISCARD ktg_status ktg_pipeline_run(ktg_context *context,
 
 /* The report as JSON, as options->report gets it: faces, pieces, components, seams, tabs_full,
  * tabs_reduced, tabs_none, sheets, mm_per_unit, fill, seconds, seconds_unfold, stopped_by and more
- * (docs/report.md). */
+ * (docs/report.md); with a pattern (or NULL) of cloth, the lengths of its seams. */
 KTG_API KTG_NODISCARD ktg_status ktg_pipeline_write_report(ktg_context *context,
                                                            const ktg_pipeline_options *options,
                                                            const ktg_pipeline_report *report,
+                                                           const ktg_pattern *pattern,
                                                            ktg_output *output);
 
 #ifdef __cplusplus

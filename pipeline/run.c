@@ -112,7 +112,7 @@ static ktg_status run(ktg_context *context, const ktg_pipeline_options *options,
     with_title.render.marker = options->marker;
     KTG_TRY(ktg_outputs_write(context, &with_title, j->pattern, &j->outputs));
     report->seconds = ktg_clock_seconds() - j->start;
-    KTG_TRY(ktg_outputs_write_report(context, options, report, &j->outputs));
+    KTG_TRY(ktg_outputs_write_report(context, options, report, j->pattern, &j->outputs));
     KTG_TRY(ktg_check_cancel(context));
     KTG_TRY(ktg_outputs_finish(context, &j->outputs));
     if (options->made)

@@ -65,7 +65,7 @@ ktg_status ktg_stage_pieces(ktg_context *context, const ktg_stage *stage, ktg_pa
     ktg_free(p->model_file);
     p->model_file = ktg_copy_text(context, ktg_base_name(options->model), SIZE_MAX);
     p->model_faces = report->model.faces;
-    p->simplified = report->simplify.faces_after != report->simplify.faces_before;
+    p->simplified = p->simplified || report->simplify.faces_after != report->simplify.faces_before;
     if (!p->model_file)
         return KTG_MEMORY;
     return ktg_pattern_set_omitted(context, p, options->omit, options->omit_count);

@@ -7,7 +7,7 @@
 
 #define SAME_MM  0.6 /* shapes that are cut by one paper */
 #define NOTCH_MM 1.5 /* from where a notch is said to be */
-#define REACH_MM 60  /* a notch ends so far from its seam, at most */
+#define REACH_MM 60  /* a mark begins so far from its seam, at most */
 
 /* ---- outlines ----------------------------------------------------------------------------- */
 
@@ -164,38 +164,6 @@ static ktg_status find_way(ktg_check *check, const ktg_pattern_seam *seam, int s
     return KTG_OK;
 }
 
-/* How far along the way the point nearest to p is; *away: how near. */
-static double place_along(const way *w, ktg_vec2 p, double *away) {
-    double passed = 0, place = 0;
-    *away = INFINITY;
-    for (uint32_t k = 1; k < w->count; k++) {
-        ktg_vec2 a = w->points[k - 1], ab = ktg_sub2(w->points[k], a), ap = ktg_sub2(p, a);
-        double square = ktg_dot2(ab, ab), length = sqrt(square);
-        double t = square > 0 ? fmax(0, fmin(1, ktg_dot2(ap, ab) / square)) : 0;
-        double distance = ktg_length2(ktg_sub2(ap, ktg_mul2(ab, t)));
-        if (distance < *away) {
-            *away = distance;
-            place = passed + t * length;
-        }
-        passed += length;
-    }
-    return place;
-}
-
-/* A mark of the piece within NOTCH_MM of that place along the way. */
-static bool has_mark(const ktg_check *check, const ktg_pattern_piece *piece, const way *w,
-                     double at) {
-    for (size_t i = 0; i < piece->line_count; i++) {
-        const ktg_pattern_line *line = &piece->lines[i];
-        if (line->kind != KTG_LINE_NOTCH || line->point_count != 2)
-            continue;
-        double away, place = place_along(w, line->points[1], &away);
-        if (away <= REACH_MM * check->mm && fabs(place - at) <= NOTCH_MM * check->mm)
-            return true;
-    }
-    return false;
-}
-
 static ktg_vec2 point_at(const way *w, double at) {
     for (uint32_t k = 1; k < w->count; k++) {
         double length = ktg_check_distance2(w->points[k - 1], w->points[k]);
@@ -207,6 +175,20 @@ static ktg_vec2 point_at(const way *w, double at) {
     return w->points[0];
 }
 
+/* A mark of the piece that points at p from the cut, or from it into the piece. */
+static bool has_mark(const ktg_check *check, const ktg_pattern_piece *piece, ktg_vec2 p) {
+    for (size_t i = 0; i < piece->line_count; i++) {
+        const ktg_pattern_line *line = &piece->lines[i];
+        if (line->kind != KTG_LINE_NOTCH || line->point_count != 2)
+            continue;
+        ktg_vec2 in = ktg_unit2(ktg_sub2(line->points[1], line->points[0]));
+        ktg_vec2 end = ktg_madd2(line->points[0], REACH_MM * check->mm, in);
+        if (distance_to(p, line->points[0], end) <= NOTCH_MM * check->mm)
+            return true;
+    }
+    return false;
+}
+
 /* All marks of a notch are on the piece, unless they are in the half of it that is not drawn. */
 static void check_notch(ktg_check *check, uint32_t s, size_t i, int side, const way *w) {
     const ktg_pattern_seam *seam = &check->pattern->seams[s];
@@ -215,8 +197,8 @@ static void check_notch(ktg_check *check, uint32_t s, size_t i, int side, const 
     for (uint32_t m = 0; m < notch->marks && notch->marks <= 3; m++) {
         double aside = (m - (notch->marks - 1) / 2.0) * KTG_VERIFY_MARKS * check->mm;
         double at = fmax(0, fmin(w->length, notch->at * w->length + aside));
-        bool drawn = !piece->on_fold || within(piece, point_at(w, at), 0);
-        if (!drawn || has_mark(check, piece, w, at))
+        ktg_vec2 p = point_at(w, at);
+        if ((piece->on_fold && !within(piece, p, 0)) || has_mark(check, piece, p))
             continue;
         ktg_check_problem(check,
                           "Seam %u has no mark in piece %u at %.6g mm, where it has a notch.",

@@ -76,10 +76,11 @@ def every_line_of_a_sheet_is_in_its_layer_once(bench):
             expect(['%s: %s' % (path.name, p) for p in plots.check_svg(path, pattern, sheet)])
 
 
-def a_cloth_panel_has_its_layers(bench):
-    pattern, files = bench.make('b', 'flatten', 'blouse-front.obj', '--unit', 'cm', '--paper', 'a0')
-    for path, sheet in files:
-        expect(plots.check_svg(path, pattern, sheet))
+def cloth_has_its_layers(bench):
+    for model, words in (('blouse-front.obj', ()), ('tshirt.obj', ()), ('skirt.obj', ('--fabric-width', '140cm'))):
+        pattern, files = bench.make('b', 'flatten', model, '--unit', 'cm', '--paper', 'a0', *words)
+        for path, sheet in files:
+            expect(['%s: %s' % (model, p) for p in plots.check_svg(path, pattern, sheet)])
 
 
 def real_dashes_are_paths_of_their_own(bench):
@@ -187,8 +188,9 @@ def a_dxf_of_paper_holds_the_same(bench):
 
 
 def a_dxf_of_cloth_is_one_file_after_astm(bench):
-    bench.run('flatten', 'blouse-front.obj', '--unit', 'cm', '-o', 'm.dxf', '-o', 'm.json')
-    bench.check_dxf('astm', 'm.json', 'm.dxf')
+    for model in ('blouse-front.obj', 'tshirt.obj', 'skirt.obj'):
+        bench.run('flatten', model, '--unit', 'cm', '-o', 'm.dxf', '-o', 'm.json')
+        bench.check_dxf('astm', 'm.json', 'm.dxf')
     expect(['a file for each sheet'] if (bench.here / 'm-01.dxf').exists() else [])
     bench.make('n', 'flatten', 'blouse-front.obj', '--unit', 'cm', '--paper', 'a0', '--plain-dxf', ending='.dxf')
     bench.check_dxf('layers', 'n.json', 'n.dxf')
@@ -206,7 +208,7 @@ def a_marker_is_a_page_of_the_fabrics_size(bench):
     expect(plots.check_svg(bench.here / 'o.svg', pattern, pattern['sheets'][0]))
 
 
-TESTS = [every_line_of_a_sheet_is_in_its_layer_once, a_cloth_panel_has_its_layers,
+TESTS = [every_line_of_a_sheet_is_in_its_layer_once, cloth_has_its_layers,
          real_dashes_are_paths_of_their_own, units_are_what_was_asked_for, marks_have_layers_of_their_own,
          without_colours_all_is_black, names_cannot_break_the_xml, a_poster_is_cut_off_at_the_sheets_edges,
          a_path_goes_on_where_it_can, librsvg_draws_it_at_its_size, inkscape_finds_layers_and_sizes,

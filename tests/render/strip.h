@@ -111,9 +111,9 @@ static ktg_pattern *make_strips(ktg_context *context, uint32_t count, double wid
 
 /* Renders into memory: "pdf", "astm" or "contact", or "svg", "dxf" or "png" of one sheet. Free
  * *bytes with ktg_free. */
-__attribute__((unused)) static ktg_status
-render_bytes(ktg_context *context, const ktg_pattern *pattern, const char *kind, size_t sheet,
-             const ktg_render_options *options, char **bytes, size_t *size) {
+static ktg_status render_bytes(ktg_context *context, const ktg_pattern *pattern, const char *kind,
+                               size_t sheet, const ktg_render_options *options, char **bytes,
+                               size_t *size) {
     char path[] = "/tmp/ktg-render-XXXXXX";
     ktg_output *output = NULL;
     *bytes = NULL;

@@ -5,6 +5,7 @@
 #include <setjmp.h>
 #include <stdarg.h>
 
+#include "tests/render/picture.h"
 #include "tests/render/strip.h"
 
 #include <cmocka.h>
@@ -193,6 +194,38 @@ static void numbers_are_short_and_know_no_locale(void **state) {
     }
 }
 
+/* Between what printers leave white and the pieces, the same in print and in the cutter's file. */
+static void registration_marks_stand_in_the_margins(void **state) {
+    ktg_context *context = *state;
+    ktg_pattern *pattern = make_strips(context, 1, 210, 297, 10, 40, 200);
+    ktg_pattern_sheet *sheet = &pattern->sheets[0];
+    ktg_vec2 marks[KTG_REGISTRATION_MARKS];
+    double reach;
+    assert_true(ktg_registration_find(sheet, marks, &reach));
+    assert_float_equal(marks[2].x, 210 - (10 + KTG_PAPER_EDGE_MM) / 2, 1e-9);
+    assert_true(reach > 1 && marks[0].x + reach < 10 && marks[0].y - reach > KTG_PAPER_EDGE_MM);
+    ktg_render_options options;
+    char *bytes;
+    size_t size;
+    ktg_render_defaults(&options);
+    options.dots_per_inch = 254;
+    for (int wanted = 0; wanted < 2; wanted++) {
+        options.registration = wanted;
+        assert_int_equal(render_bytes(context, pattern, "png", 0, &options, &bytes, &size), KTG_OK);
+        snapshot page = picture_of(bytes, size, 10, sheet->height_mm);
+        for (int k = 0; k < KTG_REGISTRATION_MARKS; k++)
+            assert_int_equal(picture_has_ink(&page, marks[k].x - 0.2, marks[k].y - 0.2,
+                                             marks[k].x + 0.2, marks[k].y + 0.2),
+                             wanted);
+        picture_drop(&page);
+        ktg_free(bytes);
+    }
+    for (int side = 0; side < 2; side++)
+        sheet->printable[side] = 0.5;
+    assert_false(ktg_registration_find(sheet, marks, &reach));
+    ktg_pattern_free(&pattern);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(a_slit_is_cut_once_and_before_the_outline, make_context,
@@ -206,6 +239,8 @@ int main(void) {
         cmocka_unit_test_setup_teardown(a_tiles_paths_end_at_its_printable_area, make_context,
                                         drop_context),
         cmocka_unit_test_setup_teardown(loose_segments_become_long_paths, make_context,
+                                        drop_context),
+        cmocka_unit_test_setup_teardown(registration_marks_stand_in_the_margins, make_context,
                                         drop_context),
         cmocka_unit_test_setup_teardown(numbers_are_short_and_know_no_locale, make_context,
                                         drop_context),
