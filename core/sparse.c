@@ -1,8 +1,9 @@
 /* core/sparse.c - sparse Cholesky factors and their solves, by CHOLMOD.
  *
- * CHOLMOD is asked for a simplicial LL^T with AMD ordering: up to some 100,000 unknowns of a
- * surface it is faster than the supernodal method on the reference BLAS, and as it calls no BLAS at
- * all the bytes of a solution do not depend on how many threads a BLAS uses. */
+ * CHOLMOD is asked for a simplicial LL^T, with AMD ordering unless told otherwise: up to some
+ * 100,000 unknowns of a surface it is faster than the supernodal method on the reference BLAS, and
+ * as it calls no BLAS at all the bytes of a solution do not depend on how many threads a BLAS uses.
+ */
 #include "core/sparse.h"
 #include "core/memory.h"
 
@@ -135,6 +136,10 @@ static ktg_status factor_triplet(ktg_context *context, ktg_factor *factor,
     factor->entry_count = triplet->nnz;
     if (factor->a)
         factor->l = cholmod_l_analyze(factor->a, common);
+    if (!factor->l && common->status == CHOLMOD_NOT_INSTALLED) {
+        common->method[0].ordering = CHOLMOD_AMD;
+        factor->l = cholmod_l_analyze(factor->a, common);
+    }
     if (!factor->l)
         return fail_like_cholmod(context, factor);
     ktg_status status = factor_matrix(context, factor);
@@ -157,9 +162,16 @@ static ktg_status finish(ktg_context *context, ktg_factor *made, cholmod_triplet
 
 ktg_status ktg_factor_new(ktg_context *context, uint32_t n, const ktg_sparse_entry *entries,
                           size_t entry_count, ktg_factor **factor) {
+    return ktg_factor_new_ordered(context, n, entries, entry_count, KTG_ORDER_AMD, factor);
+}
+
+ktg_status ktg_factor_new_ordered(ktg_context *context, uint32_t n, const ktg_sparse_entry *entries,
+                                  size_t entry_count, ktg_ordering ordering, ktg_factor **factor) {
     *factor = NULL;
     ktg_factor *made;
     KTG_TRY(start(context, n, CHOLMOD_REAL, &made));
+    if (ordering == KTG_ORDER_DISSECTION)
+        made->common.method[0].ordering = CHOLMOD_METIS;
     cholmod_triplet *triplet = new_triplet(made, entry_count);
     for (size_t k = 0; triplet && k < entry_count; k++) {
         put_place(triplet, k, entries[k].row, entries[k].column);
