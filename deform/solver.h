@@ -152,8 +152,8 @@ void ktg_system_free(ktg_system **system);
 uint32_t ktg_system_unknowns(const ktg_system *system);
 
 /* x (vertex_count) satisfies all constraints, and does so afterwards; target has a value for each
- * row. Solves for the change of x, again until nothing changes: what is left of the residual has
- * lost no digits, so a long thin part keeps as many as the rows do. */
+ * row. Solves for the change of x, and where the matrix is so ill-conditioned that it matters
+ * (long thin parts), again for what is left: the residual has lost no digits. */
 KTG_NODISCARD ktg_status ktg_system_solve(ktg_context *context, ktg_system *system,
                                           const ktg_vec3 *target, ktg_vec3 *x);
 

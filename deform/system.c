@@ -12,8 +12,8 @@
 /* A matrix with more entries than this is not tried (6 GB). */
 #define MOST_ENTRIES ((size_t)250000000)
 #define MOST_SOLVES  4
-/* Changes below this part of the largest value are rounding. */
-static const double settled = 1e-11;
+/* What a solve may be off by, as a part of the largest value. */
+static const double exact_enough = 1e-8;
 
 struct ktg_system {
     const ktg_rows *rows;
@@ -22,6 +22,7 @@ struct ktg_system {
     uint32_t *column; /* ... unknowns */
     double *weight;   /* ... and what they weigh */
     ktg_factor *factor;
+    int solves;        /* how many it takes, each on what the one before left */
     double *right;     /* 3 unknown_count, column by column; also the solution */
     ktg_vec3 *on_rows; /* rows->count */
     ktg_vec3 *on_vertices;
@@ -161,6 +162,93 @@ static ktg_status factor(ktg_context *context, ktg_system *s) {
     return status;
 }
 
+/* ---- solving -------------------------------------------------------------------------------- */
+
+/* right = C^T A^T (target - A x); false when that is nothing. */
+static bool put_residual(ktg_system *s, const ktg_vec3 *target, const ktg_vec3 *x) {
+    size_t n = s->unknown_count;
+    ktg_rows_apply(s->rows, x, s->on_rows);
+    memset(s->on_vertices, 0, s->vertex_count * sizeof *s->on_vertices);
+    memset(s->right, 0, 3 * n * sizeof *s->right);
+    for (uint32_t m = 0; m < s->rows->count; m++) {
+        ktg_vec3 left = ktg_sub3(target[m], s->on_rows[m]);
+        for (size_t i = s->rows->first[m]; i < s->rows->first[m + 1]; i++) {
+            ktg_vec3 *sum = &s->on_vertices[s->rows->column[i]];
+            *sum = ktg_madd3(*sum, s->rows->value[i], left);
+        }
+    }
+    for (uint32_t v = 0; v < s->vertex_count; v++)
+        for (size_t i = s->first[v]; i < s->first[v + 1]; i++) {
+            double *right = s->right + s->column[i];
+            right[0] += s->weight[i] * s->on_vertices[v].x;
+            right[n] += s->weight[i] * s->on_vertices[v].y;
+            right[2 * n] += s->weight[i] * s->on_vertices[v].z;
+        }
+    for (size_t i = 0; i < 3 * n; i++)
+        if (s->right[i] != 0)
+            return true;
+    return false;
+}
+
+/* x += C solution; the largest change of an unknown. */
+static double take_change(const ktg_system *s, ktg_vec3 *x) {
+    size_t n = s->unknown_count;
+    double largest = 0;
+    for (size_t i = 0; i < 3 * n; i++)
+        largest = ktg_max(largest, fabs(s->right[i]));
+    for (uint32_t v = 0; v < s->vertex_count; v++)
+        for (size_t i = s->first[v]; i < s->first[v + 1]; i++) {
+            const double *change = s->right + s->column[i];
+            ktg_vec3 by = {change[0], change[n], change[2 * n]};
+            x[v] = ktg_madd3(x[v], s->weight[i], by);
+        }
+    return largest;
+}
+
+/* One solve; *change is the largest change of an unknown. */
+static ktg_status solve_once(ktg_context *context, ktg_system *s, const ktg_vec3 *target,
+                             ktg_vec3 *x, double *change) {
+    *change = 0;
+    if (!put_residual(s, target, x))
+        return KTG_OK;
+    KTG_TRY(ktg_factor_solve(context, s->factor, s->right, 3, s->right));
+    *change = take_change(s, x);
+    return KTG_OK;
+}
+
+/* Where all that is known is 1, all else must become 1: by how much it does not is what a solve
+ * loses, and each further one loses that part of the one before. */
+static ktg_status count_solves(ktg_context *context, ktg_system *s) {
+    ktg_vec3 *x = ktg_new(context, s->vertex_count, ktg_vec3);
+    ktg_vec3 *target = ktg_new(context, s->rows->count, ktg_vec3);
+    ktg_status status = x && target ? KTG_OK : KTG_MEMORY;
+    double lost = 0, change;
+    for (uint32_t v = 0; x && v < s->vertex_count; v++) {
+        x[v].x = 1;
+        for (size_t i = s->first[v]; i < s->first[v + 1]; i++)
+            x[v].x -= s->weight[i];
+    }
+    if (status == KTG_OK)
+        status = solve_once(context, s, target, x, &change);
+    for (uint32_t v = 0; status == KTG_OK && v < s->vertex_count; v++)
+        if (s->first[v] < s->first[v + 1])
+            lost = ktg_max(lost, fabs(x[v].x - 1));
+    double left = lost;
+    for (s->solves = 1; left > exact_enough && s->solves < MOST_SOLVES; s->solves++)
+        left *= lost;
+    ktg_free(x);
+    ktg_free(target);
+    return status;
+}
+
+ktg_status ktg_system_solve(ktg_context *context, ktg_system *s, const ktg_vec3 *target,
+                            ktg_vec3 *x) {
+    double change = INFINITY;
+    for (int i = 0; i < s->solves && change > 0; i++)
+        KTG_TRY(solve_once(context, s, target, x, &change));
+    return KTG_OK;
+}
+
 /* ---- making --------------------------------------------------------------------------------- */
 
 /* Numbers the free bodies; those of vertices without faces stay where they are. */
@@ -186,7 +274,10 @@ static ktg_status fill(ktg_context *context, const ktg_bodies *bodies, const boo
     s->on_vertices = ktg_new(context, s->vertex_count, ktg_vec3);
     if (!s->right || !s->on_rows || !s->on_vertices)
         return KTG_MEMORY;
-    return s->unknown_count > 0 ? factor(context, s) : KTG_OK;
+    if (s->unknown_count == 0)
+        return KTG_OK;
+    KTG_TRY(factor(context, s));
+    return count_solves(context, s);
 }
 
 ktg_status ktg_system_new(ktg_context *context, const ktg_rows *rows, const ktg_bodies *bodies,
@@ -220,57 +311,4 @@ void ktg_system_free(ktg_system **system) {
 
 uint32_t ktg_system_unknowns(const ktg_system *system) {
     return system->unknown_count;
-}
-
-/* ---- solving -------------------------------------------------------------------------------- */
-
-/* right = C^T A^T (target - A x) */
-static void put_residual(ktg_system *s, const ktg_vec3 *target, const ktg_vec3 *x) {
-    size_t n = s->unknown_count;
-    ktg_rows_apply(s->rows, x, s->on_rows);
-    memset(s->on_vertices, 0, s->vertex_count * sizeof *s->on_vertices);
-    memset(s->right, 0, 3 * n * sizeof *s->right);
-    for (uint32_t m = 0; m < s->rows->count; m++) {
-        ktg_vec3 left = ktg_sub3(target[m], s->on_rows[m]);
-        for (size_t i = s->rows->first[m]; i < s->rows->first[m + 1]; i++) {
-            ktg_vec3 *sum = &s->on_vertices[s->rows->column[i]];
-            *sum = ktg_madd3(*sum, s->rows->value[i], left);
-        }
-    }
-    for (uint32_t v = 0; v < s->vertex_count; v++)
-        for (size_t i = s->first[v]; i < s->first[v + 1]; i++) {
-            double *right = s->right + s->column[i];
-            right[0] += s->weight[i] * s->on_vertices[v].x;
-            right[n] += s->weight[i] * s->on_vertices[v].y;
-            right[2 * n] += s->weight[i] * s->on_vertices[v].z;
-        }
-}
-
-/* x += C solution; the largest change of an unknown. */
-static double take_change(const ktg_system *s, ktg_vec3 *x) {
-    size_t n = s->unknown_count;
-    double largest = 0;
-    for (size_t i = 0; i < 3 * n; i++)
-        largest = ktg_max(largest, fabs(s->right[i]));
-    for (uint32_t v = 0; v < s->vertex_count; v++)
-        for (size_t i = s->first[v]; i < s->first[v + 1]; i++) {
-            const double *change = s->right + s->column[i];
-            ktg_vec3 by = {change[0], change[n], change[2 * n]};
-            x[v] = ktg_madd3(x[v], s->weight[i], by);
-        }
-    return largest;
-}
-
-ktg_status ktg_system_solve(ktg_context *context, ktg_system *s, const ktg_vec3 *target,
-                            ktg_vec3 *x) {
-    double before = INFINITY;
-    for (int pass = 0; s->unknown_count > 0 && pass < MOST_SOLVES; pass++) {
-        put_residual(s, target, x);
-        KTG_TRY(ktg_factor_solve(context, s->factor, s->right, 3, s->right));
-        double change = take_change(s, x);
-        if (change <= settled || change > before / 2)
-            break;
-        before = change;
-    }
-    return KTG_OK;
 }
