@@ -66,7 +66,7 @@ typedef enum ktg_link_kind {
 } ktg_link_kind;
 
 /* Virtual links between two sets of vertices, no longer than `most` (in the mesh's unit). Where the
- * sets share vertices, links lie between different parts only. */
+ * sets share vertices, links lie between different parts, or between vertices at one place. */
 typedef struct ktg_edit_link {
     ktg_link_kind kind;
     char *name;

@@ -185,8 +185,6 @@ static void try_item(search *s, uint32_t number) {
     ktg_vec3 c[3] = {{0, 0, 0}};
     double w[3] = {1, 0, 0};
     uint32_t n = corners_of(item);
-    if (item->part == s->skip && s->skip != KTG_NONE)
-        return;
     for (uint32_t k = 0; k < n; k++) {
         if (item->vertices[k] == s->vertex)
             return;
@@ -197,6 +195,8 @@ static void try_item(search *s, uint32_t number) {
     else if (n == 3)
         on_face(s->at, c, w);
     double distance = distance_to(s->at, c, w);
+    if (item->part == s->skip && s->skip != KTG_NONE && distance > 0)
+        return;
     if (distance > s->most || (s->found && distance == s->most && number > s->hit->item))
         return;
     *s->hit = (ktg_near_hit){number, {w[0], w[1], w[2]}, distance};

@@ -25,8 +25,8 @@ KTG_NODISCARD ktg_status ktg_near_new(ktg_context *context, const ktg_vec3 *posi
 void ktg_near_free(ktg_near **tree);
 
 /* The nearest item to a vertex's position that is not further than `most`, has not that vertex and
- * is not of the part `skip` (KTG_NONE: of any); the first of several as near. False: there is
- * none. */
+ * is not of the part `skip` (KTG_NONE: of any) unless it touches it; the first of several as near.
+ * False: there is none. */
 bool ktg_near_find(const ktg_near *tree, uint32_t vertex, double most, uint32_t skip,
                    ktg_near_hit *hit);
 

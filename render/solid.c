@@ -55,12 +55,15 @@ static ktg_vec3 to_model(unsigned up, ktg_vec3 v) {
     return v;
 }
 
-static void set_eye(solid *s, bool from_behind) {
-    unsigned up = s->drawing->options.up;
+void ktg_solid_eye(unsigned up, bool from_behind, ktg_vec3 *right, ktg_vec3 *above) {
     double turn = TURN + (from_behind ? KTG_PI : 0), c = cos(turn), n = sin(turn);
-    s->right = to_model(up, (ktg_vec3){c, 0, -n});
-    s->toward = to_model(up, (ktg_vec3){n * cos(RISE), sin(RISE), c * cos(RISE)});
-    s->up = ktg_cross3(s->toward, s->right);
+    *right = to_model(up, (ktg_vec3){c, 0, -n});
+    *above = ktg_cross3(to_model(up, (ktg_vec3){n * cos(RISE), sin(RISE), c * cos(RISE)}), *right);
+}
+
+static void set_eye(solid *s, bool from_behind) {
+    ktg_solid_eye(s->drawing->options.up, from_behind, &s->right, &s->up);
+    s->toward = ktg_cross3(s->right, s->up);
 }
 
 static ktg_vec2 seen(const solid *s, uint32_t vertex) {
