@@ -105,6 +105,7 @@ void ktg_deform_free(ktg_deform **deform) {
     ktg_deform *d = *deform;
     ktg_system_free(&d->system);
     ktg_rows_free(&d->rows);
+    ktg_rows_free(&d->step_rows);
     ktg_bodies_free(&d->bodies);
     ktg_frame_free(&d->frame);
     ktg_free(d->known);

@@ -19,7 +19,7 @@ static void add_edge(ktg_spread *s, double weight, ktg_vec3 from, ktg_vec3 to) {
 }
 
 static void gather(ktg_deform *d) {
-    const ktg_rows *rows = d->rows;
+    const ktg_rows *rows = d->step_rows ? d->step_rows : d->rows;
     memset(d->spreads, 0, d->bodies->vertex_count * sizeof *d->spreads);
     for (uint32_t m = 0; m < rows->count; m++) {
         uint32_t v = rows->vertex[m];

@@ -10,7 +10,7 @@
 
 /* Cotangents of slivers are cut off here. Nothing is lost: any weights reproduce the rest shape and
  * its rigid motions, because targets are made by the same rows. */
-static const double most_cotangent = 1e3;
+static const double most_cotangent = 50;
 /* And no face counts for less than this part of its longest side's square. */
 static const double least_area = 1e-4;
 

@@ -149,6 +149,9 @@ KTG_NODISCARD ktg_status ktg_system_new(ktg_context *context, const ktg_rows *ro
                                         const ktg_bodies *bodies, const bool *known,
                                         ktg_system **system);
 void ktg_system_free(ktg_system **system);
+/* The same with rows of the same mesh in another shape. After a failure only this may be called. */
+KTG_NODISCARD ktg_status ktg_system_refill(ktg_context *context, ktg_system *system,
+                                           const ktg_rows *rows);
 uint32_t ktg_system_unknowns(const ktg_system *system);
 
 /* x (vertex_count) satisfies all constraints, and does so afterwards; target has a value for each
@@ -165,13 +168,15 @@ typedef struct ktg_spread {
 } ktg_spread;
 
 struct ktg_deform {
+    bool stale; /* the factor of system is not that of rows */
     ktg_frame *frame;
     ktg_bodies *bodies;
-    ktg_rows *rows;
-    ktg_system *system;
-    bool *known;       /* of roots */
-    double *log_scale; /* vertex_count, or NULL: nothing is resized */
-    uint32_t steps;    /* of the last update */
+    ktg_rows *rows;      /* of the rest shape */
+    ktg_rows *step_rows; /* of the base, from the second step on, else NULL */
+    ktg_system *system;  /* of step_rows, or else of rows */
+    bool *known;         /* of roots */
+    double *log_scale;   /* vertex_count, or NULL: nothing is resized */
+    uint32_t steps;      /* of the last update */
 
     ktg_deform_motion *motions; /* hold_count, normalised: of the update that runs */
     ktg_vec3 *base, *now;       /* vertex_count: positions before and after the step */

@@ -144,6 +144,8 @@ static ktg_status add_products(assembly *a, uint32_t row) {
     return KTG_OK;
 }
 
+/* Factors, or factors anew where there is a factor: the entries are the same then but for their
+ * values, because which there are hangs on the mesh and the bodies alone. */
 static ktg_status factor(ktg_context *context, ktg_system *s) {
     assembly a = {.context = context, .system = s};
     a.place = ktg_new(context, s->unknown_count, uint32_t);
@@ -153,8 +155,9 @@ static ktg_status factor(ktg_context *context, ktg_system *s) {
     for (uint32_t m = 0; status == KTG_OK && m < s->rows->count; m++)
         status = add_products(&a, m);
     if (status == KTG_OK)
-        status = ktg_factor_new_ordered(context, s->unknown_count, a.entries, a.count,
-                                        KTG_ORDER_DISSECTION, &s->factor);
+        status = s->factor ? ktg_factor_refill(context, s->factor, a.entries, a.count)
+                           : ktg_factor_new_ordered(context, s->unknown_count, a.entries, a.count,
+                                                    KTG_ORDER_DISSECTION, &s->factor);
     ktg_free(a.entries);
     ktg_free(a.place);
     ktg_free(a.columns);
@@ -311,4 +314,12 @@ void ktg_system_free(ktg_system **system) {
 
 uint32_t ktg_system_unknowns(const ktg_system *system) {
     return system->unknown_count;
+}
+
+ktg_status ktg_system_refill(ktg_context *context, ktg_system *s, const ktg_rows *rows) {
+    s->rows = rows;
+    if (s->unknown_count == 0)
+        return KTG_OK;
+    KTG_TRY(factor(context, s));
+    return count_solves(context, s);
 }

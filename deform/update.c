@@ -1,7 +1,9 @@
 /* deform/update.c - rotations, then positions (section 2 of the paper), in steps.
  *
- * A turn of theta makes a twisted tube thinner by the order of theta squared, so it is made in
- * equal steps, each from what the last one came to; the rotations are the same in all of them. */
+ * A turn of theta makes a twisted tube thinner by the order of theta squared, because the rows of
+ * the rest shape know nothing of its shear. So a large one is made in equal steps, each with the
+ * rows of what the last one came to. The first step takes the factor that is there; each further
+ * one factors anew (the ordering is kept). */
 #include "core/memory.h"
 #include "deform/solver.h"
 
@@ -85,6 +87,31 @@ static ktg_vec3 moved(const ktg_deform_motion *m, double part, ktg_vec3 p) {
     return ktg_add3(ktg_madd3(p, part, m->move), ktg_turn_shift(turn, ktg_sub3(p, m->centre)));
 }
 
+/* ---- rows ------------------------------------------------------------------------------------ */
+
+/* The rows of the base, and their factor. Where the base is too squeezed for one, the rows of the
+ * rest shape do. */
+static ktg_status take_rows(ktg_context *context, ktg_deform *d, bool first) {
+    if (first && !d->stale)
+        return KTG_OK;
+    ktg_rows_free(&d->step_rows);
+    d->stale = true;
+    if (!first) {
+        KTG_TRY(ktg_rows_new(context, d->frame->mesh, d->frame->adjacency, d->base, &d->step_rows));
+        ktg_status status = ktg_system_refill(context, d->system, d->step_rows);
+        if (status != KTG_GEOMETRY)
+            return status;
+        ktg_rows_free(&d->step_rows);
+    }
+    KTG_TRY(ktg_system_refill(context, d->system, d->rows));
+    d->stale = false;
+    return KTG_OK;
+}
+
+static const ktg_rows *rows_of(const ktg_deform *d) {
+    return d->step_rows ? d->step_rows : d->rows;
+}
+
 /* ---- rotations ------------------------------------------------------------------------------ */
 
 static ktg_vec3 mean_of_masters(const ktg_follower *f, const ktg_vec3 *values) {
@@ -156,9 +183,10 @@ static void constrain(ktg_deform *d, double part) {
 
 /* What the rows are to be: those of the base, turned and scaled by the step. */
 static void put_targets(ktg_deform *d) {
-    ktg_rows_apply(d->rows, d->base, d->targets);
-    for (uint32_t m = 0; m < d->rows->count; m++) {
-        uint32_t v = d->rows->vertex[m];
+    const ktg_rows *rows = rows_of(d);
+    ktg_rows_apply(rows, d->base, d->targets);
+    for (uint32_t m = 0; m < rows->count; m++) {
+        uint32_t v = rows->vertex[m];
         ktg_vec3 t = d->targets[m];
         d->targets[m] = ktg_add3(t, shift(d->step_turns[v], scale_at(d, v, 1.0 / d->steps), t));
     }
@@ -181,6 +209,8 @@ static ktg_status make_step(ktg_context *context, ktg_deform *d, uint32_t step) 
     double part = (double)(step + 1) / d->steps;
     memcpy(d->base, d->now, vertices * sizeof *d->base);
     memcpy(d->base_turns, d->turns, vertices * sizeof *d->turns);
+    KTG_TRY(take_rows(context, d, step == 0));
+    KTG_TRY(find_turns(context, d));
     for (uint32_t v = 0; v < vertices; v++)
         d->step_turns[v] = ktg_turn_exp(d->logs[v]);
     add_turns(d, d->base_turns);
@@ -210,7 +240,6 @@ ktg_status ktg_deform_update(ktg_context *context, ktg_deform *d, const ktg_defo
                              ktg_vec3 *positions) {
     KTG_TRY(take_motions(context, d, motions));
     d->steps = count_steps(d);
-    KTG_TRY(find_turns(context, d));
     memcpy(d->now, d->frame->rest, d->bodies->vertex_count * sizeof *d->now);
     for (uint32_t v = 0; v < d->bodies->vertex_count; v++)
         d->turns[v] = ktg_turn_none();
