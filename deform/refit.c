@@ -22,10 +22,12 @@ static void gather(ktg_deform *d) {
     const ktg_rows *rows = d->step_rows ? d->step_rows : d->rows;
     memset(d->spreads, 0, d->bodies->vertex_count * sizeof *d->spreads);
     for (uint32_t m = 0; m < rows->count; m++) {
-        uint32_t v = rows->vertex[m];
-        ktg_spread *spread = &d->spreads[ktg_root(d->bodies->parent, v)];
+        uint32_t v = rows->vertex[m], root = ktg_root(d->bodies->parent, v);
+        ktg_spread *spread = &d->spreads[root];
         for (size_t i = rows->first[m] + 1; i < rows->first[m + 1]; i++) {
             uint32_t other = rows->column[i];
+            if (ktg_root(d->bodies->parent, other) == root)
+                continue; /* within a body edges only tell how it was turned */
             double weight =
                 ktg_max(-rows->value[i], least_weight * fabs(rows->value[rows->first[m]]));
             add_edge(spread, weight, ktg_sub3(d->base[other], d->base[v]),

@@ -87,6 +87,28 @@ static void refinement_turns_what_a_shift_only_shears(void **state) {
     assert_int_equal(r->report.flipped_faces, 0);
 }
 
+/* The angle of a band's axis to x. */
+static double tilt(const rig *r, uint32_t first_ring, uint32_t last_ring) {
+    ktg_vec3 ends[2] = {{0, 0, 0}, {0, 0, 0}};
+    for (uint32_t i = 0; i < SIDES; i++) {
+        ends[0] = ktg_add3(ends[0], r->after[first_ring * SIDES + i]);
+        ends[1] = ktg_add3(ends[1], r->after[last_ring * SIDES + i]);
+    }
+    return degrees_between(direction(ends, 0, 1), (ktg_vec3){1, 0, 0});
+}
+
+static void refinement_turns_a_rigid_part_with_its_surroundings(void **state) {
+    rig *r = *state;
+    tube(r, (ktg_deform_motion){.move = {-0.5, 2, 0}});
+    rig_hold_run(r, KTG_HOLD_RIGID, "band", 15 * SIDES, 11 * SIDES);
+    rig_deform(r);
+    assert_true(tilt(r, 15, 25) < 1e-9);
+    r->edit.refine = 10;
+    rig_deform(r);
+    print_message("# the band is turned by %.1f degrees\n", tilt(r, 15, 25));
+    assert_true(tilt(r, 15, 25) > 15 && r->report.feature_error < 1e-12);
+}
+
 /* ---- units ---------------------------------------------------------------------------------- */
 
 /* The same tube, with a rigid ring, a link and a resized end, in another unit. */
@@ -305,6 +327,7 @@ int main(void) {
         TEST(steps_keep_a_twisted_tube_from_getting_thin),
         TEST(a_turn_of_more_than_half_a_turn_goes_all_the_way),
         TEST(refinement_turns_what_a_shift_only_shears),
+        TEST(refinement_turns_a_rigid_part_with_its_surroundings),
         TEST(metres_and_millimetres_give_the_same),
         TEST(thousandths_give_the_same),
         TEST(powers_of_two_give_the_same_bits),
