@@ -89,17 +89,49 @@ static unsigned up_of(const settings *s) {
     return ktg_mesh_format_of(s->arguments[0]) == KTG_MESH_STL ? 2 : 1;
 }
 
-static ktg_render_shape shape_of(const ktg_mesh *mesh) {
-    return (ktg_render_shape){mesh->vertex_count, mesh->face_count, mesh->positions, mesh->faces};
+static ktg_render_shape shape_of(const ktg_mesh *mesh, const uint32_t *tints) {
+    return (ktg_render_shape){mesh->vertex_count, mesh->face_count, mesh->positions, mesh->faces,
+                              tints};
 }
 
-static ktg_status write_preview(ktg_context *context, const settings *s, const ktg_mesh *before,
-                                const ktg_mesh *after, files *f) {
+/* Faces all of whose corners one section holds: blue fixed, orange handles, green rigid, violet
+ * resized; of several the last one in the file. */
+static void tint_hold(const ktg_hold *hold, const ktg_mesh *mesh, bool *held, uint32_t *tints) {
+    static const uint32_t colours[] = {0x9dbbe3, 0xf2a65a, 0x9bd08f, 0xc9a3e0};
+    memset(held, false, mesh->vertex_count * sizeof *held);
+    for (uint32_t i = 0; i < hold->vertex_count; i++)
+        held[hold->vertices[i]] = true;
+    for (size_t f = 0; f < mesh->face_count; f++) {
+        const uint32_t *c = mesh->faces + 3 * f;
+        if (held[c[0]] && held[c[1]] && held[c[2]])
+            tints[f] = colours[hold->kind];
+    }
+}
+
+static ktg_status draw(ktg_context *context, const settings *s, const ktg_edit *edit,
+                       const ktg_mesh *before, const ktg_mesh *after, ktg_output *output) {
+    uint32_t *tints = ktg_new(context, before->face_count, uint32_t);
+    bool *held = ktg_new(context, before->vertex_count, bool);
+    ktg_status status = tints && held ? KTG_OK : KTG_MEMORY;
+    for (size_t f = 0; status == KTG_OK && f < before->face_count; f++)
+        tints[f] = 0xffffff;
+    for (size_t h = 0; status == KTG_OK && h < edit->hold_count; h++)
+        tint_hold(&edit->holds[h], before, held, tints);
+    if (status == KTG_OK) {
+        const ktg_render_shape shapes[2] = {shape_of(before, tints), shape_of(after, tints)};
+        status = ktg_render_shapes(context, shapes, 2, up_of(s), output);
+    }
+    ktg_free(tints);
+    ktg_free(held);
+    return status;
+}
+
+static ktg_status write_preview(ktg_context *context, const settings *s, const ktg_edit *edit,
+                                const ktg_mesh *before, const ktg_mesh *after, files *f) {
     if (!s->preview)
         return KTG_OK;
-    const ktg_render_shape shapes[2] = {shape_of(before), shape_of(after)};
     KTG_TRY(ktg_output_open(context, s->preview, &f->preview));
-    KTG_TRY(ktg_render_shapes(context, shapes, 2, up_of(s), f->preview));
+    KTG_TRY(draw(context, s, edit, before, after, f->preview));
     return ktg_output_finish(context, f->preview);
 }
 
@@ -156,7 +188,7 @@ static ktg_status change(ktg_context *context, const settings *s, const ktg_edit
     cli_end_progress();
     ktg_pipeline_tell_deform(context, &report);
     KTG_TRY(write_model(context, s, after, f));
-    KTG_TRY(write_preview(context, s, before, after, f));
+    KTG_TRY(write_preview(context, s, edit, before, after, f));
     KTG_TRY(write_report(context, s, &report, f));
     return commit(context, f);
 }

@@ -61,7 +61,8 @@ typedef struct ktg_drawing {
     ktg_fold_segment *folds;
     size_t joint_count;
     ktg_joint_mark *joints;
-    unsigned kinds; /* which strokes occur, as bits */
+    unsigned kinds;        /* which strokes occur, as bits */
+    const uint32_t *tints; /* of the surface's faces in pictures of solids, 0xRRGGBB; NULL: white */
 } ktg_drawing;
 
 /* ---- options.c, folds.c, joints.c --------------------------------------------------------- */

@@ -60,6 +60,7 @@ typedef struct ktg_render_shape {
     uint32_t vertex_count, face_count;
     const ktg_vec3 *vertices;
     const uint32_t *faces; /* 3 face_count vertex indices */
+    const uint32_t *tints; /* face_count colours 0xRRGGBB, or NULL: white */
 } ktg_render_shape;
 
 /* The shapes as shaded solids side by side, all at one scale, in one PNG: seen from the front, a

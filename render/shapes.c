@@ -14,6 +14,7 @@
 
 typedef struct row {
     ktg_pattern pattern; /* of the vertices and faces of all shapes, without pieces */
+    uint32_t *tints;
     ktg_vec3 right, above;
     double wide, high; /* of what is seen */
 } row;
@@ -53,6 +54,8 @@ static void add_shape(row *r, const ktg_render_shape *s, double left) {
     double across = left - e.low.x, up = -(e.low.y + e.high.y) / 2;
     for (size_t h = 0; h < 3 * (size_t)s->face_count; h++)
         p->faces[3 * (size_t)p->face_count + h] = (uint32_t)p->vertex_count + s->faces[h];
+    for (uint32_t f = 0; f < s->face_count; f++)
+        r->tints[p->face_count + f] = s->tints ? s->tints[f] : 0xffffff;
     for (uint32_t v = 0; v < s->vertex_count; v++)
         p->vertices[p->vertex_count + v] =
             ktg_madd3(ktg_madd3(s->vertices[v], across, r->right), up, r->above);
@@ -104,7 +107,7 @@ static ktg_status draw_row(const ktg_drawing *drawing, cairo_t *cairo, const voi
 }
 
 static ktg_status draw(ktg_context *context, row *r, unsigned up, ktg_output *output) {
-    ktg_drawing drawing = {.context = context, .pattern = &r->pattern};
+    ktg_drawing drawing = {.context = context, .pattern = &r->pattern, .tints = r->tints};
     ktg_render_defaults(&drawing.options);
     drawing.options.up = up;
     double high = fmax(1, WIDTH * ktg_min(1, r->high / r->wide));
@@ -124,7 +127,8 @@ static ktg_status make_room(ktg_context *context, const ktg_render_shape *shapes
         return ktg_fail(context, KTG_LIMIT, "too many faces for a picture");
     r->pattern.vertices = ktg_new(context, vertices, ktg_vec3);
     r->pattern.faces = ktg_new(context, 3 * faces, uint32_t);
-    return r->pattern.vertices && r->pattern.faces ? KTG_OK : KTG_MEMORY;
+    r->tints = ktg_new(context, faces, uint32_t);
+    return r->pattern.vertices && r->pattern.faces && r->tints ? KTG_OK : KTG_MEMORY;
 }
 
 ktg_status ktg_render_shapes(ktg_context *context, const ktg_render_shape *shapes, size_t count,
@@ -144,5 +148,6 @@ ktg_status ktg_render_shapes(ktg_context *context, const ktg_render_shape *shape
     ktg_free(r.pattern.vertices);
     ktg_free(r.pattern.faces);
     ktg_free(r.pattern.edges);
+    ktg_free(r.tints);
     return status;
 }

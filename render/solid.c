@@ -140,9 +140,11 @@ static void paint(const solid *s, cairo_t *cairo, double mm) {
     cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
     for (uint32_t i = 0; i < s->drawing->pattern->face_count; i++) {
         uint32_t face = s->faces[i].face;
-        double grey = shade(s, face);
+        double grey = shade(s, face) / 255;
+        uint32_t tint = s->drawing->tints ? s->drawing->tints[face] : 0xffffff;
         path_of(s, cairo, face);
-        cairo_set_source_rgb(cairo, grey, grey, grey);
+        cairo_set_source_rgb(cairo, grey * (tint >> 16 & 255), grey * (tint >> 8 & 255),
+                             grey * (tint & 255));
         cairo_set_line_width(cairo, 0.04 * mm);
         cairo_fill_preserve(cairo);
         cairo_stroke(cairo); /* no hair of white between faces */

@@ -52,7 +52,7 @@ static void count_ink(cairo_surface_t *picture, uint64_t ink[2]) {
 
 static void both_are_drawn_at_one_scale(void **state) {
     static const ktg_vec3 smaller[] = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
-    const ktg_render_shape shapes[] = {{4, 2, corners, faces}, {4, 2, smaller, faces}};
+    const ktg_render_shape shapes[] = {{4, 2, corners, faces, NULL}, {4, 2, smaller, faces, NULL}};
     uint64_t ink[2];
     cairo_surface_t *picture = draw(*state, (const ktg_render_shape[]){shapes[0], shapes[0]}, 2);
     count_ink(picture, ink);
@@ -65,16 +65,28 @@ static void both_are_drawn_at_one_scale(void **state) {
     cairo_surface_destroy(picture);
 }
 
+static void faces_have_their_tints(void **state) {
+    static const uint32_t red[] = {0xff0000, 0xff0000};
+    const ktg_render_shape shape = {4, 2, corners, faces, red};
+    cairo_surface_t *picture = draw(*state, &shape, 1);
+    const unsigned char *middle = cairo_image_surface_get_data(picture) +
+                                  (ptrdiff_t)(cairo_image_surface_get_height(picture) / 3) *
+                                      cairo_image_surface_get_stride(picture) +
+                                  4 * (ptrdiff_t)(cairo_image_surface_get_width(picture) / 2);
+    assert_true(middle[2] > 150 && middle[1] < 20 && middle[0] < 20);
+    cairo_surface_destroy(picture);
+}
+
 static void what_cannot_be_drawn_is_refused(void **state) {
     static const ktg_vec3 lost[] = {{0, 0, 0}, {4, 0, 0}, {4, NAN, 0}, {0, 4, 0}};
     static const uint32_t wrong[] = {0, 1, 4, 0, 2, 3};
     const ktg_render_shape shapes[] = {
-        {4, 2, lost, faces}, {4, 2, corners, wrong}, {0, 0, corners, faces}};
+        {4, 2, lost, faces, NULL}, {4, 2, corners, wrong, NULL}, {0, 0, corners, faces, NULL}};
     ktg_output *output = NULL;
     assert_int_equal(ktg_output_open(*state, "/dev/null", &output), KTG_OK);
     for (int i = 0; i < 3; i++)
         assert_int_equal(ktg_render_shapes(*state, &shapes[i], 1, 1, output), KTG_ARGUMENT);
-    const ktg_render_shape good = {4, 2, corners, faces};
+    const ktg_render_shape good = {4, 2, corners, faces, NULL};
     assert_int_equal(ktg_render_shapes(*state, &good, 1, 3, output), KTG_ARGUMENT);
     for (uint64_t k = 1, failed = 1; failed; k++) {
         ktg_context_fail_allocation(*state, k);
@@ -89,6 +101,7 @@ static void what_cannot_be_drawn_is_refused(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(both_are_drawn_at_one_scale, make_context, drop_context),
+        cmocka_unit_test_setup_teardown(faces_have_their_tints, make_context, drop_context),
         cmocka_unit_test_setup_teardown(what_cannot_be_drawn_is_refused, make_context,
                                         drop_context),
     };
