@@ -28,7 +28,9 @@ typedef struct ktg_factor ktg_factor;
 
 /* How unknowns are ordered before the matrix is factored. AMD is quick to find; nested dissection
  * (METIS) halves the factor of a surface of 50,000 vertices whose rows reach two rings far, and
- * with it the time of a solve. Where CHOLMOD was built without METIS, AMD takes its place. */
+ * with it the time of a solve. Where CHOLMOD was built without METIS, AMD takes its place.
+ * METIS seeds and draws from rand(), so that the order, and with it the last digits, may differ
+ * when another thread does so meanwhile. */
 typedef enum ktg_ordering { KTG_ORDER_AMD, KTG_ORDER_DISSECTION } ktg_ordering;
 
 /* Factors the n x n matrix given by its lower triangle (`entries`, entry_count, any order).

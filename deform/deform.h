@@ -92,8 +92,8 @@ typedef struct ktg_edit {
     ktg_edit_set *sets; /* for ktg_edit_write_sets only */
     ktg_hold *holds;
     ktg_edit_link *links;
-    uint32_t steps;  /* a large motion is made in so many equal ones; 0: one for each 30 degrees of
-                        the largest turn */
+    uint32_t steps;  /* looked at in each update: a large motion is made in so many equal ones; 0:
+                        one for each 30 degrees of  the largest turn */
     uint32_t refine; /* passes in each step that fit the rotations to what came out; 0 */
 } ktg_edit;
 
