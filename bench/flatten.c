@@ -78,7 +78,7 @@ static double processor_seconds(void) {
 }
 
 static void print_row(const row *r) {
-    const ktg_flatten_report *f = &r->report;
+    const ktg_panel_report *f = &r->report.whole;
     char method[32];
     snprintf(method, sizeof method, f->method == r->asked ? "%s" : "(%s)",
              ktg_flatten_method_name(f->method));
@@ -91,7 +91,7 @@ static void print_row(const row *r) {
 }
 
 static void write_row(command *c, const row *r) {
-    const ktg_flatten_report *f = &r->report;
+    const ktg_panel_report *f = &r->report.whole;
     fprintf(c->json,
             "%s\n  {\"panel\": \"%s\", \"asked\": \"%s\", \"method\": \"%s\", \"written\": %s, "
             "\"faces\": %u,\n   \"arap_energy\": %.17g, \"symmetric_dirichlet\": %.17g, "
@@ -112,6 +112,7 @@ static ktg_status flatten_once(ktg_context *context, const ktg_mesh *mesh, row *
     options.method = r->asked;
     double start = processor_seconds();
     ktg_status status = ktg_flatten(context, mesh, r->name, &options, &pattern, &r->report);
+    ktg_flatten_report_free(&r->report);
     r->seconds = fmin(r->seconds, processor_seconds() - start);
     ktg_pattern_free(&pattern);
     return status;
@@ -122,7 +123,7 @@ static bool measure_method(ktg_context *context, const ktg_mesh *mesh, command *
     r->seconds = INFINITY;
     for (int k = 0; k < c->repeats; k++)
         r->said = flatten_once(context, mesh, r) == KTG_OK ? NULL : ktg_context_message(context);
-    if (r->report.faces == 0) {
+    if (r->report.whole.faces == 0) {
         fprintf(stderr, "%s: %s\n", r->name, r->said);
         return false;
     }

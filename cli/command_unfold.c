@@ -8,21 +8,20 @@
 static const char unfold_usage[] =
     "usage: katagami unfold MODEL [-o FILE]... [options]\n\n"
     "Unfolds a model (OBJ, STL, PLY, OFF) into paper pieces with glue tabs, on sheets to be\n"
-    "printed at 100 %. Without -o it writes NAME.pdf beside the model; .pdf, .svg, .png and .json\n"
-    "can be written, '-' is PDF on standard output. A model of more than 500 faces is simplified\n"
-    "to 500 unless --faces says otherwise. Without a size the model becomes as large as one sheet\n"
-    "allows. Lengths take mm, cm, m, in; bare numbers are millimetres.\n"
+    "printed at 100 %. Without -o it writes NAME.pdf beside the model; .pdf, .svg, .dxf, .png and\n"
+    ".json can be written, '-' is PDF on standard output. A model of more than 500 faces is\n"
+    "simplified to 500 unless --faces says otherwise. Without a size the model becomes as large\n"
+    "as one sheet allows. Lengths take mm, cm, m, in; bare numbers are millimetres.\n"
     "Ctrl-C ends the search and writes the best so far; a second one stops at once.\n\n";
 
 static const char flatten_usage[] =
-    "usage: katagami flatten PANEL --unit mm|cm|m|in [-o FILE]... [options]\n\n"
-    "Flattens one disk-like cloth panel as rigidly as it can and adds a seam allowance. Where "
-    "that\n"
-    "would fold faces over, it flattens without folds instead. Without -o it writes NAME.pdf "
-    "beside\n"
-    "the model; .pdf, .svg, .png and .json can be written. Cloth needs a size: the model's unit, "
-    "or\n"
-    "the height, width or length of the finished thing.\n\n";
+    "usage: katagami flatten MODEL --unit mm|cm|m|in [-o FILE]... [options]\n\n"
+    "Takes a garment apart along its seams, lays each panel flat as rigidly as it can, and adds\n"
+    "seam allowances, notches, numbers and names. Seams are the borders of objects, groups and\n"
+    "materials, and marked edges (OBJ l elements); where there are none, they are chosen. Without\n"
+    "-o it writes NAME.pdf beside the model; .pdf, .svg, .dxf, .png and .json can be written.\n"
+    "Cloth needs a size: the model's unit, or the height, width or length of the finished "
+    "thing.\n\n";
 
 /* NAME.pdf beside the model. Free with free(). */
 static char *default_output(const char *model) {
@@ -45,21 +44,47 @@ static const char *plural(uint32_t count) {
     return count == 1 ? "" : "s";
 }
 
-static void tell_strain(const ktg_flatten_report *f) {
-    if (f->flipped_by_arap > 0)
+static void tell_method(const ktg_panel_report *whole) {
+    if (whole->flipped_by_arap > 0)
         fprintf(stderr,
                 "as rigid as possible, %u face%s would fold over: flattened without folds "
                 "(injective)\n",
-                f->flipped_by_arap, plural(f->flipped_by_arap));
-    if (f->crossed_by_arap)
+                whole->flipped_by_arap, plural(whole->flipped_by_arap));
+    if (whole->crossed_by_arap)
         fputs("as rigid as possible, the panel would lie on itself: flattened otherwise "
               "(injective)\n",
               stderr);
+}
+
+static void tell_strain(const ktg_flatten_report *f, const settings *s) {
+    const ktg_panel_report *whole = &f->whole;
+    tell_method(whole);
     fprintf(stderr, "strain: mean %.2f %%, 95 %% of the area below %.2f %%, largest %.2f %%\n",
-            100 * f->strain_mean, 100 * f->strain_p95, 100 * f->strain_max);
-    fprintf(stderr, "%.1f %% of the area is strained more than %.4g %%; the border is %.2f %% %s\n",
-            100 * f->area_beyond_limit, 100 * f->strain_limit, 100 * fabs(f->border_error),
-            f->border_error < 0 ? "too short" : "too long");
+            100 * whole->strain_mean, 100 * whole->strain_p95, 100 * whole->strain_max);
+    if (s->pipeline.flatten.fabric)
+        fprintf(stderr, "%.1f %% of the area is strained more than the fabric bears",
+                100 * whole->area_beyond_limit);
+    else
+        fprintf(stderr, "%.1f %% of the area is strained more than %.4g %%",
+                100 * whole->area_beyond_limit, 100 * f->strain_limit);
+    fprintf(stderr, "; the border is %.2f %% %s\n", 100 * fabs(whole->border_error),
+            whole->border_error < 0 ? "too short" : "too long");
+}
+
+static void tell_cloth(const ktg_pipeline_report *r, const settings *s) {
+    tell_strain(&r->flatten, s);
+    if (r->flatten.panels_beyond > 0 && r->flatten.panel_count > 1)
+        fprintf(stderr, "%u panel%s strain%s more than that on more than 5 %% of the area\n",
+                r->flatten.panels_beyond, plural(r->flatten.panels_beyond),
+                r->flatten.panels_beyond == 1 ? "s" : "");
+    if (r->finish.seams > 0)
+        fprintf(stderr,
+                "%u seam%s, %u of them dart%s; their sides differ by %.2f mm at most (%.2f %%)\n",
+                r->finish.seams, plural(r->finish.seams), r->finish.darts, plural(r->finish.darts),
+                r->finish.seam_error_mm, 100 * r->finish.seam_error);
+    if (r->finish.twins > 0)
+        fprintf(stderr, "%u panel%s cut with %s twin\n", r->finish.twins,
+                r->finish.twins == 1 ? " is" : "s are", r->finish.twins == 1 ? "its" : "their");
 }
 
 /* Called before the files are in place: the last words are their names. */
@@ -77,7 +102,7 @@ static void tell_result(void *user, const ktg_pipeline_report *r) {
             plural(r->faces), r->pieces, plural(r->pieces), r->layout.sheets,
             plural(r->layout.sheets), ktg_layout_is_page(sheet) ? page : sheet->name,
             100 * r->layout.fill);
-    if (s->pipeline.layout.roll)
+    if (s->pipeline.layout.roll && !s->pipeline.marker)
         fprintf(stderr, "the %s %.0f mm long\n",
                 r->layout.sheets == 1 ? "sheet is" : "last sheet is",
                 r->layout.last_mm + 2 * s->pipeline.layout.sheet.margin_mm);
@@ -85,8 +110,8 @@ static void tell_result(void *user, const ktg_pipeline_report *r) {
             "finished size %.0f x %.0f x %.0f mm (width x height x length), %.4g mm per unit\n",
             r->size_mm.x, r->size_mm.y, r->size_mm.z, r->mm_per_unit);
     if (s->pipeline.mode == KTG_CLOTH)
-        tell_strain(&r->flatten);
-    else if (s->pipeline.finish.tab_height_mm > 0)
+        tell_cloth(r, s);
+    if (s->pipeline.mode == KTG_PAPER && s->pipeline.finish.tab_height_mm > 0)
         fprintf(stderr, "%u seam%s; tabs: %u full, %u reduced, %u without room (butt joints)\n",
                 r->finish.seams, plural(r->finish.seams), r->finish.tabs_full,
                 r->finish.tabs_reduced, r->finish.tabs_none);
@@ -128,7 +153,9 @@ static exit_code run_pattern(int argc, char **argv, int command, const char *usa
     s.pipeline.omit_count = s.omit.count;
     s.pipeline.made = s.quiet ? NULL : tell_result;
     s.pipeline.user = &s;
-    ktg_status status = ktg_pipeline_run(context, &s.pipeline, NULL);
+    ktg_status status = cli_take_fabric(context, &s);
+    if (status == KTG_OK)
+        status = ktg_pipeline_run(context, &s.pipeline, NULL);
     cli_end_progress();
     exit_code code = status == KTG_OK ? EXIT_DONE : cli_fail(context, status);
     ktg_context_free(&context);

@@ -8,7 +8,7 @@
 static const char usage[] =
     "usage: katagami COMMAND ...\n\n"
     "  unfold MODEL          a paper net with glue tabs, on sheets to be printed\n"
-    "  flatten PANEL         a cloth pattern with seam allowance from one curved panel\n"
+    "  flatten MODEL         a cloth pattern with seams, allowances and notches\n"
     "  deform MODEL          the model with parts moved, resized, bent, as an edit file says\n"
     "  simplify MODEL        the model with fewer faces\n"
     "  info MODEL            what is in a model, and what is wrong with it\n"

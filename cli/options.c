@@ -183,7 +183,7 @@ static bool set_paper(settings *s, const char *text) {
     if (ktg_context_new(&context) != KTG_OK)
         return false;
     ktg_status status = ktg_sheet_parse(context, text, &s->pipeline.layout.sheet);
-    s->pipeline.layout.roll = false;
+    s->pipeline.layout.roll = s->pipeline.marker = false;
     if (status != KTG_OK)
         snprintf(s->complaint, sizeof s->complaint, "%s", ktg_context_message(context));
     ktg_context_free(&context);
@@ -199,7 +199,22 @@ static bool set_roll(settings *s, const char *text) {
     sheet->width_mm = width_mm;
     sheet->height_mm = LONGEST_PAGE_MM;
     strcpy(sheet->name, "the roll");
+    s->pipeline.marker = false;
     return s->pipeline.layout.roll = true;
+}
+
+/* Fabric is a roll, too; a marker of it is one page as long as a PDF's may be. */
+static bool set_fabric_width(settings *s, const char *text) {
+    if (!set_roll(s, text))
+        return false;
+    s->pipeline.layout.sheet.height_mm = KTG_LAYOUT_PAGE_MM;
+    strcpy(s->pipeline.layout.sheet.name, "fabric");
+    return s->pipeline.marker = true;
+}
+
+static bool set_nap(settings *s, const char *text) {
+    (void)text;
+    return s->pipeline.layout.nap = true;
 }
 
 static bool set_landscape(settings *s, const char *text) {
@@ -272,9 +287,26 @@ static bool set_black(settings *s, const char *text) {
     return true;
 }
 
-static bool set_allowance(settings *s, const char *text) {
-    return cli_parse_length(text, &s->pipeline.finish.allowance_mm) &&
-           s->pipeline.finish.allowance_mm <= 1000;
+static bool set_svg_unit(settings *s, const char *text) {
+    static const char *const units[] = {"mm", "px72", "px96", NULL};
+    int unit = word_index(text, units);
+    s->pipeline.render.svg_unit = unit >= 0 ? (ktg_svg_unit)unit : KTG_SVG_MM;
+    return unit >= 0;
+}
+
+static bool set_real_dashes(settings *s, const char *text) {
+    (void)text;
+    return s->pipeline.render.real_dashes = true;
+}
+
+static bool set_plain_dxf(settings *s, const char *text) {
+    (void)text;
+    return s->pipeline.render.plain_dxf = true;
+}
+
+static bool set_registration(settings *s, const char *text) {
+    (void)text;
+    return s->pipeline.render.registration = true;
 }
 
 static bool set_weight(settings *s, const char *text) {
@@ -329,14 +361,6 @@ static bool set_method_flatten(settings *s, const char *text) {
     int method = word_index(text, methods);
     s->pipeline.flatten.method = method >= 0 ? (ktg_flatten_method)method : KTG_FLATTEN_ARAP;
     return method >= 0;
-}
-
-static bool set_strain_limit(settings *s, const char *text) {
-    double percent;
-    if (!parse_number(text, 0, 1000, &percent))
-        return false;
-    s->pipeline.flatten.strain_limit = percent / 100;
-    return true;
 }
 
 static bool set_population(settings *s, const char *text) {
@@ -420,6 +444,19 @@ static const option_line lines[] = {
     {"keep", 0, "FILE", CMD_UNFOLD, set_keep,
      "edges that stay folds: lines of vertex numbers, or OBJ l elements"},
     {"cut", 0, "FILE", CMD_UNFOLD, set_cut, "edges that are cut, named likewise"},
+    {"cut", 0, "FILE", CMD_FLATTEN, set_cut,
+     "edges that are seams: lines of vertex numbers, or OBJ l elements"},
+    {"seams", 0, "LIST", CMD_FLATTEN, cli_set_seams,
+     "where seams are: objects,groups,materials,marked,uv,crease,auto (the first four; auto where "
+     "they give none and the model is no disk)"},
+    {"crease", 0, "DEGREES", CMD_FLATTEN, cli_set_crease,
+     "for --seams crease: edges at which the surface turns by so much (40)"},
+    {"max-strain", 0, "PERCENT", CMD_FLATTEN, cli_set_max_strain,
+     "what a panel may strain; --seams auto cuts until 95 % of its area do not strain more (5)"},
+    {"fabric", 0, "woven|knit|FILE", CMD_FLATTEN, cli_set_fabric,
+     "what the cloth bears along and across its grain; how much of it is strained more is told"},
+    {"grain", 0, "PANEL=DEGREES", CMD_FLATTEN, cli_set_grain,
+     "turns a panel's grain from upright; may be given several times"},
     {"omit", 0, "GROUP", PAPER, set_omit,
      "leave out a group, object or material; may be given several times"},
     {"height", 0, "LENGTH", PAPER, set_height, "height of the finished model"},
@@ -434,6 +471,9 @@ static const option_line lines[] = {
     {"landscape", 0, NULL, PAPER, set_landscape, "turn the sheet"},
     {"roll", 0, "WIDTH", PAPER, set_roll,
      "instead of sheets: pages of that width, cut off where the pieces end"},
+    {"fabric-width", 0, "WIDTH", CMD_FLATTEN, set_fabric_width,
+     "a marker: all pieces on fabric of that width, and how much of it they take"},
+    {"nap", 0, NULL, CMD_FLATTEN, set_nap, "the cloth has a nap: no piece lies head down"},
     {"margin", 0, "LENGTH", PAPER, set_margin, "left free on every side of a sheet (10mm)"},
     {"gap", 0, "LENGTH", PAPER, set_gap, "between pieces (2mm)"},
     {"oversize", 0, "split|tile|scale|error", CMD_UNFOLD, set_oversize,
@@ -451,13 +491,23 @@ static const option_line lines[] = {
     {"folds", 0, "dashed|solid", CMD_UNFOLD, set_folds,
      "mountain dashed, valley dash-dot; or mountain solid, valley dashed (dashed)"},
     {"flat", 0, "DEGREES", CMD_UNFOLD, set_flat, "folds flatter than this are not drawn (1)"},
-    {"allowance", 0, "LENGTH", CMD_FLATTEN, set_allowance, "seam allowance (10mm)"},
-    {"strain-limit", 0, "PERCENT", CMD_FLATTEN, set_strain_limit,
-     "strain the cloth bears; how much of it is strained more is told (5)"},
+    {"allowance", 0, "LENGTH", CMD_FLATTEN, cli_set_allowance, "along seams (10mm)"},
+    {"hem", 0, "LENGTH", CMD_FLATTEN, cli_set_hem, "along borders that are sewn to nothing (20mm)"},
+    {"notch", 0, "LENGTH|none", CMD_FLATTEN, cli_set_notch,
+     "length of the marks that meet when a seam is sewn (5mm)"},
+    {"notch-every", 0, "LENGTH", CMD_FLATTEN, cli_set_notch_every,
+     "a seam has a mark for each such length (250mm)"},
+    {"on-fold", 0, "PANEL", CMD_FLATTEN, cli_set_on_fold,
+     "cut that symmetric panel on the fold of the cloth: half of it is printed; may be given "
+     "several times"},
+    {"no-strain-map", 0, NULL, CMD_FLATTEN, cli_set_no_strain_map,
+     "leave out the PDF's page that shows where the cloth strains"},
+    {"no-twins", 0, NULL, CMD_FLATTEN, cli_set_no_twins,
+     "print each panel, also the mirror image of another one"},
     {"method", 0, "auto|genetic", CMD_UNFOLD, set_method_unfold,
      "transplants, or the paper's genetic merging (auto)"},
-    {"effort", 0, "quick|normal|best", CMD_UNFOLD, set_effort,
-     "work spent on a compact net and on nesting its pieces (normal)"},
+    {"effort", 0, "quick|normal|best", PAPER, set_effort,
+     "work spent on a compact net and on nesting pieces (normal)"},
     {"ease", 0, "WEIGHT", CMD_UNFOLD, set_ease,
      "0 to 10: how much an easy assembly counts against size and tabs (0)"},
     {"method", 0, "arap|injective|two-step", CMD_FLATTEN, set_method_flatten,
@@ -478,6 +528,14 @@ static const option_line lines[] = {
     {"time", 0, "SECONDS", CMD_UNFOLD, set_time, "stop searching after that time"},
     {"black", 0, NULL, PAPER, set_black, "no colours"},
     {"dpi", 0, "N", PAPER, set_dpi, "resolution of PNG pictures (150)"},
+    {"svg-unit", 0, "mm|px72|px96", PAPER, set_svg_unit,
+     "what a unit of an SVG is, for cutters that read pixels (mm)"},
+    {"real-dashes", 0, NULL, PAPER, set_real_dashes,
+     "SVG, DXF: dashes are short lines of their own, for cutters that know no others"},
+    {"plain-dxf", 0, NULL, CMD_FLATTEN, set_plain_dxf,
+     "a DXF for cutters, one for each sheet, instead of one for garment CAD (ASTM D6673)"},
+    {"registration", 0, NULL, PAPER, set_registration,
+     "marks in the margins by which a cutter finds the print"},
     {"report", 0, "FILE.json", PAPER | CMD_DEFORM, set_report, "write the figures of the run"},
     {"quiet", 'q', NULL, EVERY, set_quiet, "say nothing but errors"},
     {"help", 'h', NULL, EVERY, set_help, "show this"},

@@ -28,6 +28,7 @@ typedef struct descent {
     const ktg_panel *panel;
     const ktg_rest *rests;
     ktg_energy energy;
+    const ktg_springs *springs; /* or NULL */
     ktg_laplacian *laplacian;
     double *weights;
     uint32_t count; /* vertices */
@@ -83,7 +84,15 @@ static ktg_status factor_laplacian(ktg_context *context, descent *d, const ktg_v
         ktg_cotangent_weights(d->panel, d->rests, d->weights);
     else
         ktg_proxy_weights(d->panel, d->rests, flat, d->weights);
+    for (uint32_t k = 0; d->springs && k < d->springs->count; k++)
+        d->weights[d->panel->adjacency->halfedge_edge[d->springs->halfedges[k]]] +=
+            d->springs->stiffness;
     return ktg_laplacian_factor(context, d->laplacian, d->weights);
+}
+
+static double energy_of(const descent *d, const ktg_vec2 *flat, ktg_vec2 *gradient) {
+    double value = ktg_energy_value(d->panel, d->rests, d->energy, flat, gradient);
+    return d->springs ? value + ktg_springs_value(d->panel, d->springs, flat, gradient) : value;
 }
 
 static double dot(const descent *d, const ktg_vec2 *a, const ktg_vec2 *b) {
@@ -128,7 +137,7 @@ static double search_line(descent *d, const ktg_vec2 *flat, double slope) {
     for (double t = first_step(d, flat); t > 1e-12; t /= 2) {
         for (uint32_t v = 0; v < d->count; v++)
             d->trial[v] = ktg_madd2(flat[v], t, d->direction[v]);
-        double value = ktg_energy_value(d->panel, d->rests, d->energy, d->trial, d->trial_gradient);
+        double value = energy_of(d, d->trial, d->trial_gradient);
         if (value <= d->value + 1e-4 * t * slope) {
             d->value = value;
             return t;
@@ -165,13 +174,14 @@ static ktg_status step_down(ktg_context *context, descent *d, ktg_vec2 *flat, bo
     return KTG_OK;
 }
 
-/* A Laplacian for where the shape is now; the memory speaks of another one and is dropped. */
+/* A Laplacian for where the shape is now; the memory speaks of another one and is dropped. With
+ * springs the shape is nearly there, and vertices by themselves do not know of them. */
 static ktg_status begin_round(ktg_context *context, descent *d, ktg_vec2 *flat, int sweeps) {
-    if (d->energy == KTG_ENERGY_DIRICHLET)
+    if (d->energy == KTG_ENERGY_DIRICHLET && !d->springs)
         for (int k = 0; k < sweeps; k++)
             ktg_relax(d->panel, d->rests, flat);
     KTG_TRY(factor_laplacian(context, d, flat));
-    d->value = ktg_energy_value(d->panel, d->rests, d->energy, flat, d->gradient);
+    d->value = energy_of(d, flat, d->gradient);
     d->memory = 0;
     return KTG_OK;
 }
@@ -206,8 +216,13 @@ static ktg_status descend(ktg_context *context, descent *d, ktg_vec2 *flat, uint
 }
 
 ktg_status ktg_descend(ktg_context *context, const ktg_panel *panel, const ktg_rest *rests,
-                       ktg_energy energy, ktg_vec2 *flat, uint32_t *iterations) {
-    descent d = {.panel = panel, .rests = rests, .energy = energy, .count = panel->vertex_count};
+                       ktg_energy energy, const ktg_springs *springs, ktg_vec2 *flat,
+                       uint32_t *iterations) {
+    descent d = {.panel = panel,
+                 .rests = rests,
+                 .energy = energy,
+                 .springs = springs,
+                 .count = panel->vertex_count};
     for (uint32_t f = 0; f < panel->face_count; f++)
         d.noise += rests[f].area * noise;
     ktg_status status = take_memory(context, &d);

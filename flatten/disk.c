@@ -3,8 +3,7 @@
 #include "core/memory.h"
 #include "flatten/kernel.h"
 
-static ktg_status check_edges(ktg_context *context, const ktg_panel *panel) {
-    const ktg_adjacency *a = panel->adjacency;
+ktg_status ktg_check_sheet(ktg_context *context, const ktg_mesh *mesh, const ktg_adjacency *a) {
     for (uint32_t e = 0; e < a->edge_count; e++) {
         uint32_t h = a->edge_halfedges[a->edge_first[e]];
         uint32_t sides = a->edge_first[e + 1] - a->edge_first[e];
@@ -12,7 +11,7 @@ static ktg_status check_edges(ktg_context *context, const ktg_panel *panel) {
             return ktg_fail(context, KTG_GEOMETRY,
                             "the edge between vertices %u and %u joins %u faces that do not form "
                             "one oriented sheet; repair the mesh first",
-                            panel->faces[h] + 1, panel->faces[ktg_halfedge_next(h)] + 1, sides);
+                            mesh->faces[h] + 1, mesh->faces[ktg_halfedge_next(h)] + 1, sides);
     }
     return KTG_OK;
 }
@@ -82,7 +81,7 @@ static ktg_status count_borders(ktg_context *context, const ktg_panel *panel, ui
 ktg_status ktg_panel_check_disk(ktg_context *context, const ktg_mesh *mesh,
                                 const ktg_panel *panel) {
     uint32_t loops;
-    KTG_TRY(check_edges(context, panel));
+    KTG_TRY(ktg_check_sheet(context, mesh, panel->adjacency));
     KTG_TRY(check_vertices(context, panel));
     KTG_TRY(check_parts(context, mesh, panel));
     KTG_TRY(count_borders(context, panel, &loops));

@@ -66,6 +66,24 @@ double ktg_energy_value(const ktg_panel *panel, const ktg_rest *rests, ktg_energ
                                      : sum(panel, rests, dirichlet, flat, gradient);
 }
 
+double ktg_springs_value(const ktg_panel *panel, const ktg_springs *springs, const ktg_vec2 *flat,
+                         ktg_vec2 *gradient) {
+    double total = 0;
+    for (uint32_t k = 0; k < springs->count; k++) {
+        uint32_t h = springs->halfedges[k];
+        uint32_t a = panel->faces[h], b = panel->faces[ktg_halfedge_next(h)];
+        ktg_vec2 along = ktg_sub2(flat[b], flat[a]);
+        double length = ktg_length2(along), off = length - springs->lengths[k];
+        total += springs->stiffness * off * off / 2;
+        if (!gradient || !(length > 0))
+            continue;
+        ktg_vec2 pull = ktg_mul2(along, springs->stiffness * off / length);
+        gradient[a] = ktg_sub2(gradient[a], pull);
+        gradient[b] = ktg_add2(gradient[b], pull);
+    }
+    return total;
+}
+
 /* The smallest t > 0 at which a t^2 + b t + c, c > 0, is no longer positive, or `most`. */
 static double first_root(double a, double b, double c, double most) {
     if (b >= 0 && a >= 0)

@@ -2,16 +2,31 @@
 #include "flatten/flatten.h"
 #include "core/clock.h"
 #include "core/memory.h"
-#include "flatten/kernel.h"
+#include "core/vec.h"
+#include "flatten/surface.h"
+
+#include <string.h>
 
 void ktg_flatten_defaults(ktg_flatten_options *options) {
-    *options = (ktg_flatten_options){
-        .method = KTG_FLATTEN_ARAP, .weight = KTG_WEIGHT_COTANGENT, .strain_limit = 0.05};
+    *options = (ktg_flatten_options){.method = KTG_FLATTEN_ARAP,
+                                     .weight = KTG_WEIGHT_COTANGENT,
+                                     .crease = 40 * KTG_PI / 180,
+                                     .match_seams = true,
+                                     .strain_limit = 0.05,
+                                     .up = 1};
 }
 
 const char *ktg_flatten_method_name(ktg_flatten_method method) {
     static const char *const names[] = {"arap", "injective", "two-step"};
     return names[method];
+}
+
+void ktg_flatten_report_free(ktg_flatten_report *report) {
+    if (!report)
+        return;
+    ktg_free(report->panels);
+    report->panels = NULL;
+    report->panel_count = 0;
 }
 
 static ktg_status check_options(ktg_context *context, const ktg_flatten_options *options) {
@@ -25,50 +40,66 @@ static ktg_status check_options(ktg_context *context, const ktg_flatten_options 
     return KTG_OK;
 }
 
-static ktg_status refuse_flipped(ktg_context *context, const ktg_flatten_report *report,
-                                 uint32_t first_flipped) {
-    if (report->flipped_faces == 0)
-        return KTG_OK;
-    return ktg_fail(context, KTG_GEOMETRY,
-                    "%u of %u faces (the first is face %u) fold over when the panel is laid flat: "
-                    "it is too curved for one piece%s, or has needle-thin faces; cut it into "
-                    "flatter panels by seams, or remesh it, first",
-                    report->flipped_faces, report->faces, first_flipped + 1,
-                    report->method == KTG_FLATTEN_TWO_STEP ? " by the two-step method" : "");
+/* Turns every panel by its grain; what seams did to its shape may have turned it, too. */
+static ktg_status set_grain(ktg_context *context, ktg_flat_surface *s) {
+    const ktg_flatten_options *options = s->options;
+    for (size_t k = 0; k < options->grain_count; k++) {
+        uint32_t p = 0;
+        while (p < s->apart.count && strcmp(s->names.text[p], options->grains[k].panel) != 0)
+            p++;
+        if (p == s->apart.count)
+            return ktg_fail(context, KTG_ARGUMENT, "there is no panel \"%s\" to give a grain to",
+                            options->grains[k].panel);
+        s->flats[p].grain = options->grains[k].angle;
+    }
+    for (uint32_t p = 0; p < s->apart.count; p++)
+        ktg_panel_set_upright(s->flats[p].panel, s->flats[p].flat, options->up, s->flats[p].grain);
+    return KTG_OK;
 }
 
-/* What the parts of ktg_flatten share; freed together. */
-typedef struct flatten_work {
-    ktg_panel *panel;
-    ktg_vec2 *flat;
-    double *face_strain;
-} flatten_work;
-
-static ktg_status flatten(ktg_context *context, const ktg_mesh *mesh, const char *name,
-                          const ktg_flatten_options *options, flatten_work *work,
-                          ktg_pattern **pattern, ktg_flatten_report *report) {
-    uint32_t first_flipped;
-    report->strain_limit = options->strain_limit;
-    ktg_progress(context, "flatten", 0, NULL);
-    KTG_TRY(check_options(context, options));
-    KTG_TRY(ktg_check_cancel(context));
-    KTG_TRY(ktg_panel_new(context, mesh, &work->panel));
-    KTG_TRY(ktg_panel_check_disk(context, mesh, work->panel));
-    work->flat = ktg_new(context, mesh->vertex_count, ktg_vec2);
-    work->face_strain = ktg_new(context, mesh->face_count, double);
-    if (!work->flat || !work->face_strain)
-        return KTG_MEMORY;
-    KTG_TRY(ktg_lay_flat(context, work->panel, options, work->flat, report));
+static ktg_status flatten_once(ktg_context *context, ktg_flat_surface *surface,
+                               ktg_pattern **pattern) {
+    KTG_TRY(ktg_flat_surface_open(context, surface));
+    KTG_TRY(ktg_flat_surface_lay(context, surface));
+    KTG_TRY(ktg_seams_match(context, surface));
+    KTG_TRY(set_grain(context, surface));
     ktg_progress(context, "flatten", 0.95, "strain");
     KTG_TRY(ktg_check_cancel(context));
-    KTG_TRY(ktg_strain_measure(context, work->panel, work->flat, work->face_strain, report,
-                               &first_flipped));
-    KTG_TRY(refuse_flipped(context, report, first_flipped));
-    KTG_TRY(ktg_panel_check_overlap(context, work->panel, work->flat));
-    KTG_TRY(
-        ktg_flat_pattern(context, mesh, work->panel, name, work->flat, work->face_strain, pattern));
-    ktg_progress(context, "flatten", 1, NULL);
-    return KTG_OK;
+    KTG_TRY(ktg_flat_surface_judge(context, surface));
+    return ktg_flat_pattern(context, surface, pattern);
+}
+
+/* One try, from nothing. */
+static ktg_status attempt(ktg_context *context, ktg_flat_surface *surface, ktg_pattern **pattern) {
+    ktg_pattern_free(pattern);
+    ktg_flatten_report_free(surface->report);
+    *surface->report = (ktg_flatten_report){.strain_limit = surface->options->strain_limit};
+    ktg_progress(context, "flatten", 0, NULL);
+    ktg_status status = ktg_check_cancel(context);
+    if (status == KTG_OK)
+        status = flatten_once(context, surface, pattern);
+    ktg_flat_surface_drop(surface);
+    return status;
+}
+
+/* Making both sides of a seam equally long strains a panel a little more than it was when its seams
+ * were chosen: where that is too much, they are chosen again with more to spare. And where nobody
+ * said where seams are to be, a panel that cannot be laid flat gets some. */
+static ktg_status flatten(ktg_context *context, ktg_flat_surface *surface, ktg_pattern **pattern) {
+    static const double parts[] = {0.958, 0.972, 0.985};
+    size_t k = 0;
+    KTG_TRY(check_options(context, surface->options));
+    for (;;) {
+        surface->area_part = parts[k];
+        ktg_status status = attempt(context, surface, pattern);
+        bool beyond = status == KTG_OK && surface->chosen && surface->report->panels_beyond > 0;
+        bool folds = status == KTG_GEOMETRY && !surface->chosen && surface->options->seams == 0 &&
+                     surface->report->opened_edges > 0;
+        surface->choose = surface->choose || folds;
+        k += beyond;
+        if ((!beyond && !folds) || k == sizeof parts / sizeof *parts || ktg_wants_finish(context))
+            return status;
+    }
 }
 
 ktg_status ktg_flatten(ktg_context *context, const ktg_mesh *mesh, const char *name,
@@ -77,16 +108,16 @@ ktg_status ktg_flatten(ktg_context *context, const ktg_mesh *mesh, const char *n
     double start = ktg_clock_seconds();
     ktg_flatten_options defaults;
     ktg_flatten_report measured = {0};
-    flatten_work work = {0};
     ktg_flatten_defaults(&defaults);
     *pattern = NULL;
-    ktg_status status =
-        flatten(context, mesh, name, options ? options : &defaults, &work, pattern, &measured);
-    ktg_panel_free(&work.panel);
-    ktg_free(work.flat);
-    ktg_free(work.face_strain);
+    ktg_flat_surface surface = {
+        .options = options ? options : &defaults, .model = mesh, .name = name, .report = &measured};
+    ktg_status status = flatten(context, &surface, pattern);
+    ktg_progress(context, "flatten", 1, NULL);
     measured.seconds = ktg_clock_seconds() - start;
     if (report)
         *report = measured;
+    else
+        ktg_flatten_report_free(&measured);
     return status;
 }

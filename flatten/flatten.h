@@ -23,57 +23,122 @@ typedef enum ktg_flatten_method {
     KTG_FLATTEN_TWO_STEP   /* Igarashi & Igarashi 2009 */
 } ktg_flatten_method;
 
+/* What a cloth bears, as stretch (> 0) of the flat piece when it takes the shape of the model:
+ * woven cloth hardly any along its threads, and some on the bias, where its threads turn against
+ * each other; knits a lot. */
+typedef struct ktg_fabric {
+    double stretch_along, stretch_across; /* most along and across the grain, 0.03: 3 % */
+    double shrink_along, shrink_across;   /* most the other way: eased or steamed in */
+    double shear;                         /* radians, the most by which the grain's right angle
+                                             changes */
+} ktg_fabric;
+
+/* "woven" or "knit". KTG_ARGUMENT names what is known. */
+KTG_API KTG_NODISCARD ktg_status ktg_fabric_named(ktg_context *context, const char *name,
+                                                  ktg_fabric *fabric);
+/* Reads lines "stretch_along = 3%", "stretch_across", "shrink_along", "shrink_across", "shear =
+ * 10deg"; # begins a comment; what is not said is as in woven cloth. KTG_FILE, KTG_FORMAT with file
+ * and line. */
+KTG_API KTG_NODISCARD ktg_status ktg_fabric_read(ktg_context *context, const char *path,
+                                                 ktg_fabric *fabric);
+
 typedef enum ktg_edge_weight { KTG_WEIGHT_COTANGENT, KTG_WEIGHT_UNIT } ktg_edge_weight;
+
+/* Where seams are. Several may be chosen together. */
+enum {
+    KTG_SEAMS_OBJECTS = 1,   /* between faces of different objects, */
+    KTG_SEAMS_GROUPS = 2,    /* groups, */
+    KTG_SEAMS_MATERIALS = 4, /* materials */
+    KTG_SEAMS_MARKED = 8,    /* marked edges (OBJ l elements, or a file of edges) */
+    KTG_SEAMS_UV = 16,       /* where texture coordinates jump: borders of UV islands */
+    KTG_SEAMS_CREASE = 32,   /* edges where the surface turns by `crease` or more */
+    KTG_SEAMS_AUTO = 64      /* after these, where panels would strain beyond the limit */
+};
+
+/* A panel whose grain runs otherwise than upright. */
+typedef struct ktg_panel_grain {
+    const char *panel; /* its name */
+    double angle;      /* radians from upright, counter-clockwise on the printed side */
+} ktg_panel_grain;
 
 typedef struct ktg_flatten_options {
     ktg_flatten_method method;
     ktg_edge_weight weight; /* two-step: cotangents (default), raised to 1e-3 of the mean where
                                lower, or 1; the other methods know cotangents only */
-    double strain_limit;    /* for the report's area_beyond_limit; default 0.05 */
+    unsigned seams;         /* KTG_SEAMS_ flags; 0 (default): objects, groups, materials and marked
+                               edges, and where these give no seam and the model is no disk, auto */
+    double crease;          /* radians; default 40 degrees */
+    unsigned up;            /* which axis of the model is upright: 0 x, 1 y (default), 2 z */
+    bool match_seams;       /* both sides of a seam become equally long; default true */
+    double strain_limit;    /* of the report's area_beyond_limit and of KTG_SEAMS_AUTO, without
+                               fabric; default 0.05 */
+    const ktg_fabric *fabric;      /* what the cloth bears along and across the grain, or NULL */
+    const ktg_panel_grain *grains; /* grain_count */
+    size_t grain_count;
 } ktg_flatten_options;
 
 KTG_API void ktg_flatten_defaults(ktg_flatten_options *options);
 
 /* Strain is the larger of |s1 - 1| and |s2 - 1|, s the singular values of the map from the 3D
  * triangle; mean and percentile are weighted by area. */
-typedef struct ktg_flatten_report {
+typedef struct ktg_panel_report {
     ktg_flatten_method method; /* that made it: injective also where arap failed */
     uint32_t iterations;       /* of that method; two-step: 0 */
-    bool interrupted;          /* the caller wanted to finish, so that iterations ended early */
     uint32_t flipped_by_arap;  /* faces that arap folded before injective took its place */
     bool crossed_by_arap;      /* the same: arap folded none, but laid the panel on itself */
     uint32_t faces;
     uint32_t flipped_faces;     /* turned over, or less than a millionth of their area left */
+    double area;                /* in the model's unit, in space */
     double arap_energy;         /* sum A ((s1 - 1)^2 + (s2 - 1)^2) / sum A, s2 signed */
     double symmetric_dirichlet; /* sum A (s1^2 + s2^2 + s1^-2 + s2^-2) / sum A, 4 at best; 0 where
                                    faces are flipped */
     double strain_mean, strain_p95, strain_max;
-    double strain_limit, area_beyond_limit; /* the option; part of the area strained more, 0 to 1 */
-    double border_error;                    /* (2D - 3D) / 3D length of the border */
+    double area_beyond_limit; /* part of the area strained more than the limit, or than the fabric
+                                 bears, 0 to 1 */
+    double border_error;      /* (2D - 3D) / 3D length of the border */
+    double seconds;
+} ktg_panel_report;
+
+typedef struct ktg_flatten_report {
+    ktg_panel_report whole; /* all panels: sums, weighted means, the worst method; the percentile
+                               is of all faces together */
+    uint32_t panel_count;   /* the pattern's pieces, in their order */
+    ktg_panel_report *panels;
+    double strain_limit;    /* the option */
+    uint32_t panels_beyond; /* with more than 5 % of their area beyond the limit */
+    uint32_t seam_edges, opened_edges, auto_edges; /* cuts in all, and those made to open panels to
+                                                      disks and by KTG_SEAMS_AUTO */
+    double seam_error; /* largest difference of the two sides of an edge that is sewn, by the mean
+                          of both */
+    bool interrupted;  /* the caller wanted to finish, so that iterations ended early */
     double seconds;
 } ktg_flatten_report;
+
+/* Gives the panels back; the other figures stay. */
+KTG_API void ktg_flatten_report_free(ktg_flatten_report *report);
 
 /* "arap", "injective", "two-step". */
 KTG_API const char *ktg_flatten_method_name(ktg_flatten_method method);
 
-/* Flattens a mesh, as ktg_mesh_repair leaves it, that is one topological disk. NULL options: the
- * defaults; report may be NULL.
+/* Flattens a mesh, as ktg_mesh_repair leaves it: takes it apart along its seams, cuts panels that
+ * are no disks open, lays each flat, and makes both sides of every seam equally long. NULL options:
+ * the defaults; report may be NULL, else it is freed by ktg_flatten_report_free, whatever the
+ * status.
  *
- * The pattern (mode KTG_CLOTH) has one component and one piece, both named `name`, in the model's
- * unit, with face_strain. Piece vertices are those of the mesh, in its order; the lower left corner
- * of their box is the origin. The piece is turned so that the model's y points to the piece's +y as
- * well as it can (least squares over the area; of a panel that lies on the ground, the model's -z,
- * as seen from above), and never mirrored. Cloth is neither folded nor cut inside a panel: every
- * inner edge is KTG_EDGE_FLAT, with the surface's true dihedral angle, every other one
- * KTG_EDGE_BORDER.
+ * The pattern (mode KTG_CLOTH) has a component for each connected part of the mesh and a piece for
+ * each panel, in the model's unit, with face_strain. Pieces are named after the objects, groups or
+ * materials they are, a single one `name`; ordered by their first faces. The lower left corner of a
+ * piece's box is the origin. A piece is turned so that the model's y points to its +y as well as it
+ * can (least squares over the area; of a panel that lies on the ground, the model's -z, as seen
+ * from above), or by its grain, and never mirrored. Cloth is not folded inside a panel: every edge
+ * there is KTG_EDGE_FLAT, with the surface's true dihedral angle; seams are KTG_EDGE_CUT, forced.
  *
- * KTG_GEOMETRY says what is wrong: a mesh that is not a disk (closed, several parts, more than one
- * border, a handle), a face without area, a panel a hundred thousand times as long as wide, faces
- * that come out flipped or a flat shape that lies on itself: what is printed never folds over. The
- * report is filled in the last two cases as well.
- * KTG_ARGUMENT for unit weights without the two-step method. When the caller wants to finish,
- * iterations end early. KTG_CANCELLED, KTG_MEMORY. *pattern: freed by ktg_pattern_free, NULL on
- * failure. */
+ * KTG_GEOMETRY says what is wrong: a closed surface without seams, a face without area, a panel a
+ * hundred thousand times as long as wide, faces that come out flipped or a flat shape that lies on
+ * itself: what is printed never folds over. The report is filled in the last two cases as well.
+ * KTG_ARGUMENT for unit weights without the two-step method, a grain for a panel that is not there.
+ * When the caller wants to finish, iterations end early. KTG_CANCELLED, KTG_MEMORY. *pattern: freed
+ * by ktg_pattern_free, NULL on failure. */
 KTG_API KTG_NODISCARD ktg_status ktg_flatten(ktg_context *context, const ktg_mesh *mesh,
                                              const char *name, const ktg_flatten_options *options,
                                              ktg_pattern **pattern, ktg_flatten_report *report);

@@ -84,6 +84,9 @@ KTG_NODISCARD ktg_status ktg_laplacian_extend(ktg_context *context, ktg_laplacia
 KTG_NODISCARD ktg_status ktg_conformal_start(ktg_context *context, const ktg_panel *panel,
                                              const ktg_rest *rests, ktg_vec2 *flat);
 
+/* 2 pi (on the border pi) minus the angles around each vertex, in .x (vertex_count). */
+void ktg_angle_defects(const ktg_panel *panel, const ktg_rest *rests, ktg_vec2 *defects);
+
 /* Tutte's map: the border around a circle, every other vertex in the mean of its
  * neighbours, so that no face can fold but by rounding. */
 KTG_NODISCARD ktg_status ktg_convex_start(ktg_context *context, const ktg_panel *panel,
@@ -127,10 +130,23 @@ void ktg_relax(const ktg_panel *panel, const ktg_rest *rests, ktg_vec2 *flat);
 
 /* ---- descent.c ---------------------------------------------------------------------------- */
 
-/* From `flat` down to where the energy no longer falls. KTG_ENERGY_DIRICHLET: `flat` has no fold
- * and gets none. `iterations` is added to. */
+/* Edges that are to have a given length: each adds stiffness / 2 (|edge| - length)^2. */
+typedef struct ktg_springs {
+    uint32_t count;
+    uint32_t *halfedges; /* count: of the panel, one for each edge */
+    double *lengths;     /* count: normalised */
+    double stiffness;
+} ktg_springs;
+
+/* Their energy, which is added to the gradient unless that is NULL. */
+double ktg_springs_value(const ktg_panel *panel, const ktg_springs *springs, const ktg_vec2 *flat,
+                         ktg_vec2 *gradient);
+
+/* From `flat` down to where the energy, with that of springs (or NULL), no longer falls.
+ * KTG_ENERGY_DIRICHLET: `flat` has no fold and gets none. `iterations` is added to. */
 KTG_NODISCARD ktg_status ktg_descend(ktg_context *context, const ktg_panel *panel,
-                                     const ktg_rest *rests, ktg_energy energy, ktg_vec2 *flat,
+                                     const ktg_rest *rests, ktg_energy energy,
+                                     const ktg_springs *springs, ktg_vec2 *flat,
                                      uint32_t *iterations);
 
 #endif

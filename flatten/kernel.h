@@ -7,10 +7,10 @@
  *     ktg_panel_set_upright    which way is up
  *     ktg_strain_measure       how much the flat shape strains each face
  *     ktg_panel_check_overlap  does it lie on itself
- *     ktg_flat_pattern         the result as a pattern
  *
  * and of the two-step method, ktg_neighbourhoods_new (every edge's surroundings laid flat),
- * ktg_similarity_step and ktg_scale_step. The iterative methods are in flatten/iterate.h. */
+ * ktg_similarity_step and ktg_scale_step. The iterative methods are in flatten/iterate.h, the way
+ * of a whole surface with seams in flatten/surface.h. */
 #ifndef KTG_FLATTEN_KERNEL_H
 #define KTG_FLATTEN_KERNEL_H
 
@@ -30,7 +30,7 @@ typedef struct ktg_panel {
                           where there is one; KTG_NONE of an unused vertex */
 } ktg_panel;
 
-/* KTG_ARGUMENT, KTG_GEOMETRY for a face without area (named). */
+/* KTG_ARGUMENT, KTG_GEOMETRY for a face without area. */
 KTG_NODISCARD ktg_status ktg_panel_new(ktg_context *context, const ktg_mesh *mesh,
                                        ktg_panel **panel);
 void ktg_panel_free(ktg_panel **panel);
@@ -50,6 +50,10 @@ static inline uint32_t ktg_panel_around(const ktg_panel *panel, uint32_t h) {
 }
 
 /* ---- disk.c ------------------------------------------------------------------------------- */
+
+/* KTG_GEOMETRY for an edge of three faces, or of two that are not oriented alike. */
+KTG_NODISCARD ktg_status ktg_check_sheet(ktg_context *context, const ktg_mesh *mesh,
+                                         const ktg_adjacency *adjacency);
 
 /* KTG_GEOMETRY with what it is instead, unless the panel is one topological disk. */
 KTG_NODISCARD ktg_status ktg_panel_check_disk(ktg_context *context, const ktg_mesh *mesh,
@@ -116,7 +120,7 @@ KTG_NODISCARD ktg_status ktg_scale_step(ktg_context *context, const ktg_edges *e
  * where the default does. Fills in the report how that was done. */
 KTG_NODISCARD ktg_status ktg_lay_flat(ktg_context *context, const ktg_panel *panel,
                                       const ktg_flatten_options *options, ktg_vec2 *flat,
-                                      ktg_flatten_report *report);
+                                      ktg_panel_report *report);
 
 /* ---- strain.c ----------------------------------------------------------------------------- */
 
@@ -132,12 +136,18 @@ typedef struct ktg_face_map {
 ktg_face_map ktg_face_map_of(const ktg_panel *panel, uint32_t face, const ktg_vec2 *flat);
 ktg_vec2 ktg_face_map_direction(const ktg_face_map *map, ktg_vec3 direction);
 
-/* Fills what *report says about the flat shape, by its strain_limit; face_strain (face_count) may
- * be NULL. *first_flipped: the first face that came out turned over or without area, or KTG_NONE.
- */
+/* Fills what *report says about the flat shape, by the options' fabric or strain_limit; face_strain
+ * (face_count) may be NULL. *first_flipped: the first face that came out turned over or without
+ * area, or KTG_NONE. */
 KTG_NODISCARD ktg_status ktg_strain_measure(ktg_context *context, const ktg_panel *panel,
-                                            const ktg_vec2 *flat, double *face_strain,
-                                            ktg_flatten_report *report, uint32_t *first_flipped);
+                                            const ktg_vec2 *flat,
+                                            const ktg_flatten_options *options, double *face_strain,
+                                            ktg_panel_report *report, uint32_t *first_flipped);
+
+/* The strain that `part` of a mesh's area does not exceed. face_strain: face_count. */
+KTG_NODISCARD ktg_status ktg_strain_percentile(ktg_context *context, const ktg_mesh *mesh,
+                                               const double *face_strain, double part,
+                                               double *strain);
 
 /* Faces that are turned over, have less than a millionth of their area or are not finite. */
 uint32_t ktg_panel_count_flipped(const ktg_panel *panel, const ktg_vec2 *flat);
@@ -152,19 +162,20 @@ KTG_NODISCARD ktg_status ktg_panel_find_crossing(ktg_context *context, const ktg
                                                  const ktg_vec2 *flat, bool *crossed,
                                                  uint32_t vertices[2]);
 
-/* KTG_GEOMETRY when the border of the flat panel, of which no face is flipped, crosses itself. */
+/* KTG_GEOMETRY when the border of the flat panel, of which no face is flipped, crosses itself.
+ * names: the number by which a message is to call each vertex. */
 KTG_NODISCARD ktg_status ktg_panel_check_overlap(ktg_context *context, const ktg_panel *panel,
-                                                 const ktg_vec2 *flat);
+                                                 const ktg_vec2 *flat, const uint32_t *names);
 
-/* ---- pattern.c ---------------------------------------------------------------------------- */
+/* ---- upright.c ---------------------------------------------------------------------------- */
 
-/* Turns `flat` upright and moves its box to the origin. */
-void ktg_panel_set_upright(const ktg_panel *panel, ktg_vec2 *flat);
+/* Turns `flat` upright, by the model's axis (0 x, 1 y, 2 z), and `grain` radians back, so that a
+ * grain at that angle points to +y, and moves its box to the origin. */
+void ktg_panel_set_upright(const ktg_panel *panel, ktg_vec2 *flat, unsigned axis, double grain);
 
-/* The flat positions (normalised) as a pattern of one piece. face_strain is copied. */
-KTG_NODISCARD ktg_status ktg_flat_pattern(ktg_context *context, const ktg_mesh *mesh,
-                                          const ktg_panel *panel, const char *name,
-                                          const ktg_vec2 *flat, const double *face_strain,
-                                          ktg_pattern **pattern);
+/* ---- fabric.c ----------------------------------------------------------------------------- */
+
+/* Whether the fabric, grain along +y, takes the shape of the face in space. */
+bool ktg_fabric_bears(const ktg_fabric *fabric, const ktg_face_map *map);
 
 #endif

@@ -64,15 +64,16 @@ static ktg_status make_start(ktg_context *context, const ktg_panel *panel, start
 }
 
 static ktg_status lay_flat_arap(ktg_context *context, const ktg_panel *panel, const start *s,
-                                ktg_vec2 *flat, ktg_flatten_report *report) {
+                                ktg_vec2 *flat, ktg_panel_report *report) {
     memcpy(flat, s->flat, panel->vertex_count * sizeof *flat);
-    KTG_TRY(ktg_descend(context, panel, s->rests, KTG_ENERGY_ARAP, flat, &report->iterations));
-    ktg_panel_set_upright(panel, flat);
+    KTG_TRY(
+        ktg_descend(context, panel, s->rests, KTG_ENERGY_ARAP, NULL, flat, &report->iterations));
+    ktg_panel_set_upright(panel, flat, 1, 0);
     return KTG_OK;
 }
 
 static ktg_status lay_flat_injective(ktg_context *context, const ktg_panel *panel, const start *s,
-                                     ktg_vec2 *flat, ktg_flatten_report *report) {
+                                     ktg_vec2 *flat, ktg_panel_report *report) {
     report->method = KTG_FLATTEN_INJECTIVE;
     report->iterations = 0;
     if (s->flipped == 0)
@@ -82,14 +83,15 @@ static ktg_status lay_flat_injective(ktg_context *context, const ktg_panel *pane
     if (ktg_panel_count_turned_over(panel, flat) > 0)
         return KTG_OK; /* for the caller to refuse */
     ktg_dirichlet_set_size(panel, s->rests, flat);
-    KTG_TRY(ktg_descend(context, panel, s->rests, KTG_ENERGY_DIRICHLET, flat, &report->iterations));
-    ktg_panel_set_upright(panel, flat);
+    KTG_TRY(ktg_descend(context, panel, s->rests, KTG_ENERGY_DIRICHLET, NULL, flat,
+                        &report->iterations));
+    ktg_panel_set_upright(panel, flat, 1, 0);
     return KTG_OK;
 }
 
 /* What is wrong with the map that is as rigid as possible. */
 static ktg_status judge_arap(ktg_context *context, const ktg_panel *panel, const ktg_vec2 *flat,
-                             ktg_flatten_report *report) {
+                             ktg_panel_report *report) {
     uint32_t vertices[2];
     report->flipped_by_arap = ktg_panel_count_flipped(panel, flat);
     if (report->flipped_by_arap > 0)
@@ -99,7 +101,7 @@ static ktg_status judge_arap(ktg_context *context, const ktg_panel *panel, const
 
 static ktg_status iterate(ktg_context *context, const ktg_panel *panel,
                           const ktg_flatten_options *options, start *s, ktg_vec2 *flat,
-                          ktg_flatten_report *report) {
+                          ktg_panel_report *report) {
     KTG_TRY(make_start(context, panel, s));
     if (options->method == KTG_FLATTEN_INJECTIVE)
         return lay_flat_injective(context, panel, s, flat, report);
@@ -114,22 +116,21 @@ static ktg_status iterate(ktg_context *context, const ktg_panel *panel,
 
 static ktg_status lay_flat(ktg_context *context, const ktg_panel *panel,
                            const ktg_flatten_options *options, ktg_vec2 *flat,
-                           ktg_flatten_report *report) {
+                           ktg_panel_report *report) {
     if (options->method == KTG_FLATTEN_TWO_STEP) {
         KTG_TRY(lay_flat_two_step(context, panel, options->weight, flat));
-        ktg_panel_set_upright(panel, flat);
+        ktg_panel_set_upright(panel, flat, 1, 0);
         return KTG_OK;
     }
     start s = {0};
     ktg_status status = iterate(context, panel, options, &s, flat, report);
     free_start(&s);
-    report->interrupted = ktg_wants_finish(context);
     return status;
 }
 
 ktg_status ktg_lay_flat(ktg_context *context, const ktg_panel *panel,
                         const ktg_flatten_options *options, ktg_vec2 *flat,
-                        ktg_flatten_report *report) {
+                        ktg_panel_report *report) {
     report->method = options->method;
     ktg_status status = lay_flat(context, panel, options, flat, report);
     if (status == KTG_GEOMETRY)

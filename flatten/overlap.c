@@ -69,7 +69,7 @@ ktg_status ktg_panel_find_crossing(ktg_context *context, const ktg_panel *panel,
 }
 
 ktg_status ktg_panel_check_overlap(ktg_context *context, const ktg_panel *panel,
-                                   const ktg_vec2 *flat) {
+                                   const ktg_vec2 *flat, const uint32_t *names) {
     uint32_t vertices[2];
     bool crossed;
     KTG_TRY(ktg_panel_find_crossing(context, panel, flat, &crossed, vertices));
@@ -78,5 +78,5 @@ ktg_status ktg_panel_check_overlap(ktg_context *context, const ktg_panel *panel,
     return ktg_fail(context, KTG_GEOMETRY,
                     "laid flat, the panel lies on itself: its border crosses itself near vertices "
                     "%u and %u; cut it in two by a seam between them first",
-                    vertices[0] + 1, vertices[1] + 1);
+                    names[vertices[0]] + 1, names[vertices[1]] + 1);
 }

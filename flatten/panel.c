@@ -50,9 +50,9 @@ static ktg_status check_areas(ktg_context *context, const ktg_mesh *mesh, const 
         ktg_vec3 at = mesh->positions[corners[0]];
         if (!(ktg_length3(ktg_cross3(ab, bc)) > least_height * longest))
             return ktg_fail(context, KTG_GEOMETRY,
-                            "face %u, at (%g, %g, %g), has no area: its corners lie on a line; "
+                            "the face at (%g, %g, %g) has no area: its corners lie on a line; "
                             "repair or remesh the panel before flattening it",
-                            f + 1, at.x, at.y, at.z);
+                            at.x, at.y, at.z);
     }
     return KTG_OK;
 }

@@ -60,8 +60,7 @@ static ktg_status hold_border(ktg_context *context, const ktg_panel *panel,
 
 /* ---- conformal ---------------------------------------------------------------------------- */
 
-/* 2 pi (on the border pi) minus the angles around each vertex, in .x. */
-static void find_defects(const ktg_panel *panel, const ktg_rest *rests, ktg_vec2 *defects) {
+void ktg_angle_defects(const ktg_panel *panel, const ktg_rest *rests, ktg_vec2 *defects) {
     for (uint32_t v = 0; v < panel->vertex_count; v++)
         defects[v] = (ktg_vec2){is_on_border(panel, v) ? KTG_PI : 2 * KTG_PI, 0};
     for (uint32_t f = 0; f < panel->face_count; f++) {
@@ -136,7 +135,7 @@ static ktg_status conformal(ktg_context *context, const ktg_panel *panel, const 
         return KTG_MEMORY;
     ktg_cotangent_weights(panel, rests, work->weights);
     KTG_TRY(ktg_laplacian_factor(context, work->inside, work->weights));
-    find_defects(panel, rests, work->defects);
+    ktg_angle_defects(panel, rests, work->defects);
     KTG_TRY(ktg_laplacian_solve(context, work->inside, work->defects, flat)); /* -u */
     for (uint32_t v = 0; v < panel->vertex_count; v++)
         flat[v].x = -flat[v].x;

@@ -104,14 +104,20 @@ uint32_t ktg_panel_count_turned_over(const ktg_panel *panel, const ktg_vec2 *fla
     return count_flipped(panel, flat, 0);
 }
 
-static void clear_figures(const ktg_panel *panel, ktg_flatten_report *r) {
+static void clear_figures(const ktg_panel *panel, ktg_panel_report *r) {
     r->faces = panel->face_count;
     r->flipped_faces = 0;
     r->arap_energy = r->symmetric_dirichlet = 0;
     r->strain_mean = r->strain_max = r->area_beyond_limit = 0;
 }
 
-static void add_face(ktg_face_map map, ktg_flatten_report *report, strained_area *strained) {
+static bool is_beyond(const ktg_flatten_options *options, const ktg_face_map *map, double strain) {
+    return options->fabric ? !ktg_fabric_bears(options->fabric, map)
+                           : strain > options->strain_limit;
+}
+
+static void add_face(ktg_face_map map, const ktg_flatten_options *options, ktg_panel_report *report,
+                     strained_area *strained) {
     double d1 = map.s1 - 1, d2 = map.s2 - 1;
     double strain = fmax(fabs(d1), fabs(d2)), square = map.s1 * map.s1 + map.s2 * map.s2;
     *strained = (strained_area){strain, map.area};
@@ -120,13 +126,31 @@ static void add_face(ktg_face_map map, ktg_flatten_report *report, strained_area
         map.area * (square + square / (map.s1 * map.s1 * map.s2 * map.s2));
     report->strain_mean += map.area * strain;
     report->strain_max = fmax(report->strain_max, strain);
-    if (strain > report->strain_limit)
+    if (is_beyond(options, &map, strain))
         report->area_beyond_limit += map.area;
 }
 
+ktg_status ktg_strain_percentile(ktg_context *context, const ktg_mesh *mesh,
+                                 const double *face_strain, double part, double *strain) {
+    strained_area *areas = ktg_new(context, mesh->face_count, strained_area);
+    if (!areas)
+        return KTG_MEMORY;
+    double total = 0;
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        const uint32_t *v = mesh->faces + 3 * (size_t)f;
+        const ktg_vec3 *p = mesh->positions;
+        ktg_vec3 normal = ktg_cross3(ktg_sub3(p[v[1]], p[v[0]]), ktg_sub3(p[v[2]], p[v[0]]));
+        areas[f] = (strained_area){face_strain[f], ktg_length3(normal)};
+        total += areas[f].area;
+    }
+    *strain = percentile(areas, mesh->face_count, part, total);
+    ktg_free(areas);
+    return KTG_OK;
+}
+
 ktg_status ktg_strain_measure(ktg_context *context, const ktg_panel *panel, const ktg_vec2 *flat,
-                              double *face_strain, ktg_flatten_report *report,
-                              uint32_t *first_flipped) {
+                              const ktg_flatten_options *options, double *face_strain,
+                              ktg_panel_report *report, uint32_t *first_flipped) {
     strained_area *areas = ktg_new(context, panel->face_count, strained_area);
     if (!areas)
         return KTG_MEMORY;
@@ -135,7 +159,7 @@ ktg_status ktg_strain_measure(ktg_context *context, const ktg_panel *panel, cons
     *first_flipped = KTG_NONE;
     for (uint32_t f = 0; f < panel->face_count; f++) {
         ktg_face_map map = ktg_face_map_of(panel, f, flat);
-        add_face(map, report, &areas[f]);
+        add_face(map, options, report, &areas[f]);
         total += areas[f].area;
         if (face_strain)
             face_strain[f] = areas[f].strain;
@@ -144,6 +168,7 @@ ktg_status ktg_strain_measure(ktg_context *context, const ktg_panel *panel, cons
     }
     report->symmetric_dirichlet =
         report->flipped_faces > 0 ? 0 : report->symmetric_dirichlet / total;
+    report->area = total;
     report->area_beyond_limit /= total;
     report->arap_energy /= total;
     report->strain_mean /= total;

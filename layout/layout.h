@@ -15,6 +15,7 @@ typedef struct ktg_layout_options {
                           cut off where it ends, height_mm at most; false */
     double gap_mm;     /* between pieces; 2 mm */
     bool keep_grain;   /* only turns of 0 and 180 degrees (cloth); false */
+    bool nap;          /* with keep_grain: no turn at all, for cloth with a nap; false */
     ktg_effort effort; /* normal: work spent on nesting several pieces; at most about 1, 3 and 25
                           seconds, less for few pieces */
     uint32_t enough_sheets; /* nesting stops once so few are reached; 0: it goes on */

@@ -10,7 +10,7 @@
 
 #define QUARTER (KTG_PI / 2)
 
-/* The grain runs up the sheet: a quarter turn in a bin, or three. */
+/* The grain runs up the sheet: a quarter turn in a bin, or, where there is no nap, three. */
 static const double grain_turns[] = {QUARTER, 3 * QUARTER};
 
 /* What nesting needs of the pieces. */
@@ -37,7 +37,7 @@ static ktg_status make(ktg_context *context, const ktg_pattern *pattern,
         shape->outline = piece->outline;
         shape->outline_count = piece->outline_count;
         shape->turns = grain_turns;
-        shape->turn_count = options->keep_grain ? 2 : 0;
+        shape->turn_count = !options->keep_grain ? 0 : options->nap ? 1 : 2;
         n->items[i] = (uint32_t)i;
     }
     return KTG_OK;

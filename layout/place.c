@@ -52,7 +52,7 @@ double ktg_layout_face_area(const ktg_pattern_piece *piece) {
         twice += fabs(
             ktg_cross2(ktg_sub2(piece->vertices[c[1]], a), ktg_sub2(piece->vertices[c[2]], a)));
     }
-    return twice / 2;
+    return piece->on_fold ? twice / 4 : twice / 2; /* half of it is there */
 }
 
 static double area_of_faces(const ktg_pattern *pattern) {

@@ -14,7 +14,11 @@ void ktg_finish_defaults(ktg_finish_options *options) {
                                     .tab_side = KTG_TAB_ALTERNATE,
                                     .numbers = KTG_NUMBER_SEAM,
                                     .number_mm = 2.4,
-                                    .allowance_mm = 10};
+                                    .allowance_mm = 10,
+                                    .hem_mm = 20,
+                                    .notch_mm = 5,
+                                    .notch_every_mm = 250,
+                                    .twins = true};
 }
 
 /* A length of the options: neither negative nor beyond any paper. */
@@ -31,6 +35,10 @@ ktg_status ktg_finish_check(ktg_context *context, const ktg_finish_options *opti
     KTG_TRY(check_length(context, "a least tab height", options->tab_least_mm));
     KTG_TRY(check_length(context, "a least edge for tabs", options->tab_edge_mm));
     KTG_TRY(check_length(context, "a seam allowance", options->allowance_mm));
+    KTG_TRY(check_length(context, "a hem", options->hem_mm));
+    KTG_TRY(check_length(context, "a notch", options->notch_mm));
+    if (!(options->notch_every_mm > 0))
+        return ktg_fail(context, KTG_ARGUMENT, "notches need a distance above 0 mm");
     KTG_TRY(check_length(context, "a digit height", options->number_mm));
     if (!(options->tab_flank >= 10 * KTG_PI / 180) || !(options->tab_flank <= KTG_PI / 2))
         return ktg_fail(context, KTG_ARGUMENT,
@@ -43,7 +51,7 @@ ktg_status ktg_finish_shapes(ktg_context *context, const ktg_topology *topology,
                              const ktg_finish_options *options, ktg_pattern *pattern,
                              ktg_finish_report *report) {
     if (pattern->mode == KTG_CLOTH)
-        return ktg_outlines_with_allowance(context, topology, options->allowance_mm, pattern);
+        return ktg_finish_cloth(context, topology, options, pattern, report);
     KTG_TRY(ktg_tabs_place(context, topology, options, pattern, report));
     return ktg_outlines_with_tabs(context, topology, pattern);
 }

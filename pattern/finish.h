@@ -13,10 +13,11 @@ KTG_NODISCARD ktg_status ktg_seams_find(ktg_context *context, const ktg_topology
 KTG_NODISCARD ktg_status ktg_outlines_with_tabs(ktg_context *context, const ktg_topology *topology,
                                                 ktg_pattern *pattern);
 
-/* Outlines with seam allowance, sewing and grain lines; takes tabs away (allowance.c). */
-KTG_NODISCARD ktg_status ktg_outlines_with_allowance(ktg_context *context,
-                                                     const ktg_topology *topology,
-                                                     double allowance_mm, ktg_pattern *pattern);
+/* Outlines with allowances, sewing lines, darts, notches, twins, halves, grain; takes tabs away
+ * (allowance.c and pattern/cloth.h). */
+KTG_NODISCARD ktg_status ktg_finish_cloth(ktg_context *context, const ktg_topology *topology,
+                                          const ktg_finish_options *options, ktg_pattern *pattern,
+                                          ktg_finish_report *report);
 
 /* Numbers of seams or edges, and names of pieces (labels.c). */
 KTG_NODISCARD ktg_status ktg_labels_write(ktg_context *context, const ktg_topology *topology,

@@ -1,4 +1,4 @@
-/* pattern/hull.h - convex hulls (lent to layout/). */
+/* pattern/hull.h - convex hulls (lent to layout/ and flatten/). */
 #ifndef KTG_PATTERN_HULL_H
 #define KTG_PATTERN_HULL_H
 

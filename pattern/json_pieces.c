@@ -131,6 +131,18 @@ static ktg_status read_labels(const ktg_json *object, const ktg_json_reader *r,
     return KTG_OK;
 }
 
+static ktg_status read_cut(const ktg_json *object, const ktg_json_reader *r,
+                           ktg_pattern_piece *piece) {
+    ktg_json at;
+    KTG_TRY(ktg_json_count(object, "count", KTG_JSON_MOST_COUNT, &piece->cut_count));
+    KTG_TRY(ktg_json_count(object, "mirrored", KTG_JSON_MOST_COUNT, &piece->cut_mirrored));
+    KTG_TRY(ktg_json_get_optional(object, "on_fold", KTG_JSON_BOOLEAN, &at));
+    piece->on_fold = at.value && json_is_true(at.value);
+    return piece->cut_count > 0
+               ? KTG_OK
+               : ktg_json_read_id(object, "twin_of", &r->piece_ids, &piece->twin_of);
+}
+
 static ktg_status read_piece(const ktg_json *object, const ktg_json_reader *r,
                              ktg_pattern_piece *piece) {
     ktg_json at;
@@ -146,8 +158,7 @@ static ktg_status read_piece(const ktg_json *object, const ktg_json_reader *r,
     KTG_TRY(read_lines(object, piece));
     KTG_TRY(read_labels(object, r, piece));
     KTG_TRY(ktg_json_get(object, "cut", KTG_JSON_OBJECT, &at));
-    KTG_TRY(ktg_json_count(&at, "count", KTG_JSON_MOST_COUNT, &piece->cut_count));
-    return ktg_json_count(&at, "mirrored", KTG_JSON_MOST_COUNT, &piece->cut_mirrored);
+    return read_cut(&at, r, piece);
 }
 
 ktg_status ktg_json_read_pieces(ktg_json_reader *r) {

@@ -258,6 +258,22 @@ static ktg_status read_seam_side(const ktg_json *sides, int s, const ktg_json_re
     return KTG_OK;
 }
 
+static ktg_status read_notches(const ktg_json *object, ktg_pattern_seam *seam) {
+    ktg_json list, item;
+    KTG_TRY(ktg_json_get_optional(object, "notches", KTG_JSON_ARRAY, &list));
+    if (!list.value)
+        return KTG_OK;
+    size_t length = ktg_json_length(&list);
+    KTG_JSON_TAKE(object, seam->notches, length, ktg_pattern_notch);
+    seam->notch_count = length;
+    for (size_t i = 0; i < length; i++) {
+        KTG_TRY(ktg_json_item(&list, i, KTG_JSON_OBJECT, &item));
+        KTG_TRY(ktg_json_number(&item, "at", &seam->notches[i].at));
+        KTG_TRY(ktg_json_count(&item, "marks", KTG_JSON_MOST_COUNT, &seam->notches[i].marks));
+    }
+    return KTG_OK;
+}
+
 static ktg_status read_seam(const ktg_json *object, const ktg_json_reader *r, uint32_t index) {
     ktg_pattern_seam *seam = &r->pattern->seams[index];
     ktg_json sides, side, list, item;
@@ -268,6 +284,13 @@ static ktg_status read_seam(const ktg_json *object, const ktg_json_reader *r, ui
     KTG_TRY(read_first_sides(object, r, seam));
     KTG_TRY(ktg_json_get_optional(object, "obvious", KTG_JSON_BOOLEAN, &item));
     seam->obvious = item.value && json_is_true(item.value);
+    KTG_TRY(ktg_json_get_optional(object, "dart", KTG_JSON_BOOLEAN, &item));
+    seam->dart = item.value && json_is_true(item.value);
+    seam->number = index + 1;
+    KTG_TRY(ktg_json_get_optional(object, "number", KTG_JSON_INTEGER, &item));
+    if (item.value)
+        KTG_TRY(ktg_json_count(object, "number", KTG_JSON_MOST_COUNT, &seam->number));
+    KTG_TRY(read_notches(object, seam));
     KTG_TRY(ktg_json_item(&sides, 0, KTG_JSON_OBJECT, &side));
     KTG_TRY(ktg_json_get(&side, "edges", KTG_JSON_ARRAY, &list));
     for (uint32_t i = 0; i < seam->edge_count; i++) {

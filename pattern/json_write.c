@@ -286,7 +286,11 @@ static void write_piece(writer *w, const ktg_pattern_piece *piece, size_t id) {
     count(w, piece->cut_count);
     put(w, ",\"mirrored\":");
     count(w, piece->cut_mirrored);
-    put(w, "}}");
+    if (piece->cut_count == 0) {
+        put(w, ",\"twin_of\":");
+        count(w, (size_t)piece->twin_of + 1);
+    }
+    put(w, piece->on_fold ? ",\"on_fold\":true}}" : "}}");
 }
 
 static void write_pieces(writer *w, const ktg_pattern *p) {
@@ -333,6 +337,18 @@ static void write_edges(writer *w, const ktg_pattern *p) {
     put(w, "],\n");
 }
 
+static void write_notches(writer *w, const ktg_pattern_seam *seam) {
+    put(w, ",\"notches\":[");
+    for (size_t i = 0; i < seam->notch_count; i++) {
+        put(w, i ? ",{\"at\":" : "{\"at\":");
+        number(w, seam->notches[i].at);
+        put(w, ",\"marks\":");
+        count(w, seam->notches[i].marks);
+        put(w, "}");
+    }
+    put(w, "]");
+}
+
 static void write_seam(writer *w, const ktg_pattern_seam *seam, size_t id) {
     put(w, "{\"id\":");
     count(w, id);
@@ -354,7 +370,15 @@ static void write_seam(writer *w, const ktg_pattern_seam *seam, size_t id) {
         between(w, i, ",");
         put(w, seam->first_side[i] ? "1" : "0");
     }
-    put(w, seam->obvious ? "],\"obvious\":true}" : "]}");
+    put(w, seam->obvious ? "],\"obvious\":true" : "]");
+    put(w, seam->dart ? ",\"dart\":true" : "");
+    if (seam->number != id) {
+        put(w, ",\"number\":");
+        count(w, seam->number);
+    }
+    if (seam->notch_count > 0)
+        write_notches(w, seam);
+    put(w, "}");
 }
 
 static void write_seams(writer *w, const ktg_pattern *p) {

@@ -43,6 +43,9 @@ typedef struct ktg_label_sheet {
 KTG_NODISCARD ktg_status ktg_label_sheet_open(ktg_context *context, ktg_label_sheet *sheet);
 void ktg_label_sheet_drop(ktg_label_sheet *sheet);
 
+/* A number as it is written, with a dot where it would mislead upside down. */
+void ktg_number_text(uint32_t number, char text[16]);
+
 /* Width of a text over its digits' height, as common sans-serif faces have it. */
 double ktg_label_width(const char *text);
 
@@ -66,7 +69,7 @@ KTG_NODISCARD ktg_status ktg_label_write(ktg_context *context, ktg_label_sheet *
 KTG_NODISCARD ktg_status ktg_label_lead(ktg_context *context, ktg_label_sheet *sheet,
                                         const ktg_label_want *want);
 
-/* The piece's name, if it needs one, where there is most room (label_name.c). */
+/* The name of a piece of paper, if it needs one, where there is most room (label_name.c). */
 KTG_NODISCARD ktg_status ktg_label_name(ktg_context *context, ktg_label_sheet *sheet,
                                         uint32_t piece);
 

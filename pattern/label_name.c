@@ -7,7 +7,6 @@
 /* Digits of a name are this high at most, in mm. */
 #define PAPER_NAME_MM  3.6
 #define ACROSS_NAME_MM 2.4 /* over folds, of which it should not hide much */
-#define CLOTH_NAME_MM  8.0
 #define SHRINK         0.9
 
 /* At most this many faces are looked at. */
@@ -30,16 +29,14 @@ static void part_text(const ktg_pattern *pattern, uint32_t p, char text[TEXT_SIZ
         snprintf(text, TEXT_SIZE, "%u of %u", place, count);
 }
 
-/* "body" or, of several pieces, "body 2 of 3"; cut to fit between characters. A piece of cloth has
- * a name of its own. */
+/* "body" or, of several pieces, "body 2 of 3"; cut to fit between characters. */
 static void name_text(const ktg_pattern *pattern, uint32_t p, const char *part,
                       char text[TEXT_SIZE]) {
     const ktg_pattern_piece *piece = &pattern->pieces[p];
-    bool own = pattern->mode == KTG_CLOTH && piece->name && *piece->name;
-    const char *name = own ? piece->name : NULL;
-    if (!own && piece->component < pattern->component_count)
-        name = pattern->components[piece->component].name;
-    size_t part_length = own ? 0 : strlen(part), length = name ? strlen(name) : 0;
+    const char *name = piece->component < pattern->component_count
+                           ? pattern->components[piece->component].name
+                           : NULL;
+    size_t part_length = strlen(part), length = name ? strlen(name) : 0;
     size_t room = TEXT_SIZE - 1 - part_length - (part_length > 0);
     if (length > room)
         length = room;
@@ -53,19 +50,15 @@ static void name_text(const ktg_pattern *pattern, uint32_t p, const char *part,
     text[length + part_length] = '\0';
 }
 
-/* True when a box on `face` lies across no border and no grain line, and of paper, unless
- * `across_folds`, across no fold around the flat region. */
+/* True when a box on `face` lies across no border and, unless `across_folds`, across no fold around
+ * the flat region. */
 static bool lies_clear(ktg_label_sheet *sheet, uint32_t p, uint32_t face, bool across_folds,
                        const ktg_label_box *box) {
     const ktg_topology *t = sheet->topology;
     const ktg_pattern_piece *piece = &sheet->pattern->pieces[p];
     if (ktg_label_on_border(sheet, p, box))
         return false;
-    for (size_t i = 0; i < piece->line_count; i++)
-        if (piece->lines[i].kind == KTG_LINE_GRAIN &&
-            ktg_label_box_cut(box, piece->lines[i].points[0], piece->lines[i].points[1]))
-            return false;
-    if (t->pattern->mode == KTG_CLOTH || across_folds)
+    if (across_folds)
         return true;
     uint32_t region = t->region_of[face];
     bool alone = t->region_size[region] == 1;
@@ -102,7 +95,7 @@ typedef struct name_search {
 
 /* How many candidates a face has. */
 static uint32_t candidate_count(const name_search *search) {
-    return search->sheet->pattern->mode == KTG_CLOTH ? 1 : search->across_folds ? 9 : 6;
+    return search->across_folds ? 9 : 6;
 }
 
 /* Text that does not stand on its head. */
@@ -110,8 +103,8 @@ static ktg_vec2 readable(ktg_vec2 along) {
     return along.x < 0 || (along.x == 0 && along.y < 0) ? ktg_mul2(along, -1) : along;
 }
 
-/* A candidate: the text in the middle of a face along one of its sides (cloth: level); from the
- * third on in the middle of a side the name may lie across, along the next side, then upright to
+/* A candidate: the text in the middle of a face along one of its sides; from the third
+ * on in the middle of a side the name may lie across, along the next side, then upright to
  * it. */
 static ktg_label_box candidate(const name_search *search, uint32_t face, uint32_t k) {
     const ktg_topology *t = search->sheet->topology;
@@ -124,8 +117,6 @@ static ktg_label_box candidate(const name_search *search, uint32_t face, uint32_
         at = ktg_mul2(ktg_add2(a, b), 0.5);
         along = k >= 6 ? ktg_perp2(along) : ktg_sub2(ktg_end_of(t, ktg_next_corner(side)), b);
     }
-    if (t->pattern->mode == KTG_CLOTH)
-        along = (ktg_vec2){1, 0};
     return (ktg_label_box){at, readable(ktg_unit2(along)), {0, 0}};
 }
 
@@ -144,12 +135,6 @@ static double fitting_height(const name_search *search, uint32_t face, double le
         if (fits(search, face, mm, box))
             return mm;
     return 0;
-}
-
-static double area_of(const ktg_topology *t, uint32_t face) {
-    ktg_vec2 a = ktg_corner_at(t, 3 * face);
-    return ktg_cross2(ktg_sub2(ktg_corner_at(t, 3 * face + 1), a),
-                      ktg_sub2(ktg_corner_at(t, 3 * face + 2), a));
 }
 
 /* The best place found so far. */
@@ -187,30 +172,6 @@ static name_place best_place(const name_search *search) {
     return best;
 }
 
-/* Where nothing fits: the least height, in the largest face. */
-static name_place in_largest_face(const name_search *search) {
-    const ktg_topology *t = search->sheet->topology;
-    const ktg_pattern_piece *piece = &search->sheet->pattern->pieces[search->piece];
-    uint32_t largest = piece->faces[0];
-    for (size_t i = 1; i < piece->face_count; i++)
-        if (area_of(t, piece->faces[i]) > area_of(t, largest))
-            largest = piece->faces[i];
-    name_place place = {candidate(search, largest, 0), largest, KTG_LABEL_LEAST_MM, 0};
-    place.box.half = (ktg_vec2){search->wide * KTG_LABEL_LEAST_MM / 2, KTG_LABEL_LEAST_MM / 2};
-    return place;
-}
-
-/* Cloth is never without a name. */
-static ktg_status name_cloth(ktg_context *context, name_search *search, const char *text) {
-    search->wide = ktg_label_width(text);
-    search->most = CLOTH_NAME_MM;
-    name_place best = best_place(search);
-    if (best.face == KTG_NONE)
-        best = in_largest_face(search);
-    return ktg_label_write(context, search->sheet, search->piece, best.face, KTG_NONE, text,
-                           &best.box);
-}
-
 /* The whole name between the folds, across them, then only which part it is; a piece too small for
  * that goes without: its seams have numbers. */
 static ktg_status name_paper(ktg_context *context, name_search *search, const char *text,
@@ -233,12 +194,11 @@ static ktg_status name_paper(ktg_context *context, name_search *search, const ch
 ktg_status ktg_label_name(ktg_context *context, ktg_label_sheet *sheet, uint32_t p) {
     const ktg_pattern *pattern = sheet->pattern;
     const ktg_pattern_piece *piece = &pattern->pieces[p];
-    bool cloth = pattern->mode == KTG_CLOTH;
     char part[TEXT_SIZE], text[TEXT_SIZE];
     part_text(pattern, p, part);
     name_text(pattern, p, part, text);
-    if (!*text || (!cloth && pattern->piece_count < 2) || piece->face_count == 0)
+    if (!*text || pattern->piece_count < 2 || piece->face_count == 0)
         return KTG_OK;
     name_search search = {.sheet = sheet, .piece = p, .middle = middle_of(piece)};
-    return cloth ? name_cloth(context, &search, text) : name_paper(context, &search, text, part);
+    return name_paper(context, &search, text, part);
 }

@@ -5,7 +5,7 @@
 #include "pattern/finish.h"
 
 #include "core/memory.h"
-#include "pattern/label_box.h"
+#include "pattern/cloth_labels.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -162,7 +162,7 @@ static bool misleads(const char *digits) {
     return turned[0] != '0' && strcmp(turned, digits) != 0;
 }
 
-static void number_text(uint32_t number, char text[16]) {
+void ktg_number_text(uint32_t number, char text[16]) {
     snprintf(text, 12, "%u", number);
     if (misleads(text))
         strcat(text, ".");
@@ -171,7 +171,7 @@ static void number_text(uint32_t number, char text[16]) {
 static ktg_status write_number(ktg_context *context, ktg_label_sheet *sheet, uint32_t edge,
                                uint32_t number, const ktg_pattern_tab *const *tabs) {
     char text[16];
-    number_text(number, text);
+    ktg_number_text(number, text);
     KTG_TRY(write_on_side(context, sheet, edge, 0, text, tabs));
     return write_on_side(context, sheet, edge, 1, text, tabs);
 }
@@ -201,7 +201,7 @@ static ktg_status number_seams(ktg_context *context, ktg_label_sheet *sheet,
         if (seam->obvious)
             break; /* and so are all that follow */
         char text[16];
-        number_text(s + 1, text);
+        ktg_number_text(seam->number, text);
         uint32_t best = 0;
         double best_fitness = -1;
         for (uint32_t k = 0; k < seam->edge_count; k++) {
@@ -211,7 +211,7 @@ static ktg_status number_seams(ktg_context *context, ktg_label_sheet *sheet,
                 best = k;
             }
         }
-        KTG_TRY(write_number(context, sheet, seam->edges[best], s + 1, tabs));
+        KTG_TRY(write_number(context, sheet, seam->edges[best], seam->number, tabs));
     }
     return KTG_OK;
 }
@@ -245,6 +245,13 @@ static ktg_status write_numbers(ktg_context *context, ktg_label_sheet *sheet) {
     return status;
 }
 
+static ktg_status write_paper(ktg_context *context, ktg_label_sheet *sheet) {
+    KTG_TRY(write_numbers(context, sheet));
+    for (uint32_t p = 0; p < sheet->pattern->piece_count; p++)
+        KTG_TRY(ktg_label_name(context, sheet, p));
+    return KTG_OK;
+}
+
 ktg_status ktg_labels_write(ktg_context *context, const ktg_topology *topology,
                             const ktg_finish_options *options, ktg_pattern *pattern) {
     ktg_label_sheet sheet = {.topology = topology, .options = options, .pattern = pattern};
@@ -255,9 +262,8 @@ ktg_status ktg_labels_write(ktg_context *context, const ktg_topology *topology,
     }
     ktg_status status = ktg_label_sheet_open(context, &sheet);
     if (status == KTG_OK)
-        status = write_numbers(context, &sheet);
-    for (uint32_t p = 0; status == KTG_OK && p < pattern->piece_count; p++)
-        status = ktg_label_name(context, &sheet, p);
+        status = pattern->mode == KTG_CLOTH ? ktg_cloth_labels_write(context, &sheet)
+                                            : write_paper(context, &sheet);
     ktg_label_sheet_drop(&sheet);
     return status;
 }

@@ -28,6 +28,7 @@ static void seams_free(ktg_pattern *pattern) {
     for (size_t i = 0; pattern->seams && i < pattern->seam_count; i++) {
         ktg_free(pattern->seams[i].edges);
         ktg_free(pattern->seams[i].first_side);
+        ktg_free(pattern->seams[i].notches);
     }
     ktg_free(pattern->seams);
     pattern->seams = NULL;
@@ -87,6 +88,8 @@ static ktg_status fill_piece(ktg_context *context, const ktg_pattern_piece *p,
     c->component = p->component;
     c->cut_count = p->cut_count;
     c->cut_mirrored = p->cut_mirrored;
+    c->twin_of = p->twin_of;
+    c->on_fold = p->on_fold;
     c->vertex_count = p->vertex_count;
     c->face_count = p->face_count;
     c->outline_count = p->outline_count;
@@ -142,9 +145,12 @@ static ktg_status fill_seams_and_sheets(ktg_context *context, const ktg_pattern 
         *to = *from;
         to->edges = NULL;
         to->first_side = NULL;
+        to->notches = NULL;
         KTG_TRY(
             copy_items(context, from->edges, from->edge_count, sizeof *from->edges, &to->edges));
         KTG_TRY(copy_items(context, from->first_side, from->edge_count, 1, &to->first_side));
+        KTG_TRY(copy_items(context, from->notches, from->notch_count, sizeof *from->notches,
+                           &to->notches));
     }
     for (size_t i = 0; i < p->sheet_count; i++) {
         c->sheets[i] = p->sheets[i];

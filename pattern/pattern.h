@@ -115,8 +115,20 @@ typedef struct ktg_pattern_piece {
     ktg_pattern_label *labels;
 
     uint32_t cut_count,
-        cut_mirrored; /* how often to cut it, and how many mirrored on top; 1 and 0 for paper */
+        cut_mirrored; /* how often to cut it, and how many mirrored on top; 1 and 0 for paper.
+                         Cloth: count 0 marks a piece that is the mirror image of another one,
+                         twin_of, and is cut with it (whose cut_mirrored counts it): sheets of paper
+                         leave it out, a marker shows it */
+    uint32_t twin_of; /* index into pieces, where cut_count is 0 */
+    bool on_fold;     /* cloth: outline and lines show one half; the other is its mirror image
+                         across the line of kind KTG_LINE_FOLD */
 } ktg_pattern_piece;
+
+/* Marks on both sides of a seam that meet when it is sewn. */
+typedef struct ktg_pattern_notch {
+    double at;      /* part of the seam's length from where side 0 begins, 0 to 1 */
+    uint32_t marks; /* 1, 2 or 3 lines side by side, so that seams can be told apart */
+} ktg_pattern_notch;
 
 /* A run of consecutive cut edges of one piece whose mates are consecutive too: one number on paper,
  * one seam to sew. */
@@ -126,8 +138,14 @@ typedef struct ktg_pattern_seam {
     uint8_t *first_side;  /* edge_count: which of the edge's sides belongs to the seam's side 0 */
     uint32_t pieces[2];   /* indices into pieces (the same one for a seam of a piece with itself) */
     double lengths_mm[2]; /* measured in 2D */
-    bool obvious; /* paper: its sides meet in a point and lie side by side, so that it needs no
-                     number; such seams come last */
+    bool obvious;    /* paper: its sides meet in a point and lie side by side, so that it needs no
+                        number; such seams come last */
+    bool dart;       /* cloth: it ends inside its piece, and what lies between its sides is folded
+                        away, not cut out */
+    uint32_t number; /* what its label says, from 1; cloth: seams that are mirror images of each
+                        other have the same */
+    size_t notch_count;
+    ktg_pattern_notch *notches; /* cloth */
 } ktg_pattern_seam;
 
 typedef struct ktg_pattern_component {
@@ -235,7 +253,7 @@ typedef enum ktg_number_style {
 
 /* How a pattern is finished. ktg_finish_defaults gives: tabs of 5 mm, flanks of 50 degrees,
  * alternate sides, inset 0.3 mm, at least 2 mm high, edges from 4 mm; numbers per seam, 2.4 mm
- * high; allowance 10 mm. */
+ * high; allowance 10 mm, hem 20 mm, notches of 5 mm every 250 mm, twins. */
 typedef struct ktg_finish_options {
     double tab_height_mm; /* 0: no tabs */
     double tab_flank;     /* radians, the steepest flank angle */
@@ -244,8 +262,18 @@ typedef struct ktg_finish_options {
     double tab_edge_mm;   /* shorter edges may go without */
     ktg_tab_side tab_side;
     ktg_number_style numbers;
-    double number_mm;    /* height of a digit, where there is room */
-    double allowance_mm; /* cloth: seam allowance */
+    double number_mm; /* height of a digit, where there is room */
+
+    /* cloth */
+    double allowance_mm;   /* along seams */
+    double hem_mm;         /* along borders that nothing is sewn to */
+    double notch_mm;       /* length of a notch, where the allowance is not less; 0: none */
+    double notch_every_mm; /* a seam has about one for each such length */
+    bool twins;            /* pieces that are mirror images (or copies) of others within 0.5 mm are
+                              cut with them */
+    const char *const *on_fold; /* on_fold_count names of pieces that are to be cut on the fold of
+                                   the cloth: those that are symmetric are */
+    size_t on_fold_count;
 } ktg_finish_options;
 
 KTG_API void ktg_finish_defaults(ktg_finish_options *options);
@@ -255,6 +283,11 @@ typedef struct ktg_finish_report {
     uint32_t seams;                              /* runs */
     uint32_t seam_edges;                         /* cut edges, short ones included */
     uint32_t tabs_full, tabs_reduced, tabs_none; /* of edges long enough to want one */
+    uint32_t darts, twins, notches, on_fold;     /* cloth: seams that are darts, pieces cut with
+                                                    others, notches (both sides of a seam count as one),
+                                                    pieces cut on the fold */
+    double seam_error_mm, seam_error; /* cloth: the largest difference of the two sides of a seam,
+                                         and the largest by the seam's length */
     double mate_distance_mm; /* mean distance of the two copies of a cut edge, where both are in one
                                 piece: small ones are easy to glue */
 } ktg_finish_report;

@@ -82,6 +82,7 @@ static void forget_seams(ktg_pattern *pattern) {
     for (size_t s = 0; s < pattern->seam_count; s++) {
         ktg_free(pattern->seams[s].edges);
         ktg_free(pattern->seams[s].first_side);
+        ktg_free(pattern->seams[s].notches);
     }
     ktg_free(pattern->seams);
     pattern->seams = NULL;
@@ -144,6 +145,8 @@ static ktg_status sort_seams(ktg_context *context, const ktg_topology *t, ktg_pa
                 sorted[next++] = pattern->seams[s];
     ktg_free(pattern->seams);
     pattern->seams = sorted;
+    for (size_t s = 0; s < count; s++)
+        sorted[s].number = (uint32_t)s + 1;
     for (size_t s = 0; s < count; s++)
         for (uint32_t k = 0; k < sorted[s].edge_count; k++)
             pattern->edges[sorted[s].edges[k]].seam = (uint32_t)s;

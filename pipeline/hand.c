@@ -77,15 +77,16 @@ static ktg_status leave_out(ktg_context *context, const ktg_pipeline_options *op
 
 ktg_status ktg_hand_read(ktg_context *context, const ktg_pipeline_options *options,
                          const ktg_mesh *mesh, ktg_hand *hand) {
-    if (options->mode != KTG_PAPER && options->keep_count + options->cut_count > 0)
+    if (options->mode != KTG_PAPER && options->keep_count > 0)
         return ktg_fail(context, KTG_ARGUMENT,
-                        "edges can be kept or cut in paper, not in cloth: leave them out");
+                        "edges can be kept in paper, not in cloth: leave them out");
     return read_lists(context, options, mesh, hand);
 }
 
 ktg_status ktg_hand_take(ktg_context *context, const ktg_pipeline_options *options, ktg_mesh *mesh,
                          ktg_hand *hand) {
-    if (options->mode == KTG_PAPER) /* the model's own marks mean nothing to a net */
+    /* the model's own marks mean nothing to a net, and to cloth only where no file says more */
+    if (options->mode == KTG_PAPER || options->cut_count > 0)
         KTG_TRY(mark_all(context, mesh, hand));
     return leave_out(context, options, mesh, hand);
 }

@@ -15,6 +15,7 @@ typedef enum output_kind {
     OUTPUT_PDF,
     OUTPUT_SVG,
     OUTPUT_PNG,
+    OUTPUT_DXF,
     OUTPUT_JSON
 } output_kind;
 
@@ -24,7 +25,7 @@ static const char *ending_of(const char *path) {
 }
 
 static output_kind kind_of(const char *path) {
-    static const char *const endings[] = {"", ".pdf", ".svg", ".png", ".json"};
+    static const char *const endings[] = {"", ".pdf", ".svg", ".png", ".dxf", ".json"};
     if (strcmp(path, "-") == 0)
         return OUTPUT_PDF;
     for (int kind = OUTPUT_PDF; kind <= OUTPUT_JSON; kind++)
@@ -106,7 +107,8 @@ ktg_status ktg_outputs_check(ktg_context *context, const ktg_pipeline_options *o
     for (size_t i = 0; (path = path_at(options, i)); i++) {
         if (i < options->output_count && kind_of(path) == OUTPUT_UNKNOWN)
             return ktg_fail(context, KTG_ARGUMENT,
-                            "%s: no such kind of output; .pdf, .svg, .png and .json can be written",
+                            "%s: no such kind of output; .pdf, .svg, .dxf, .png and .json can be "
+                            "written",
                             path);
         if (strcmp(path, "-") != 0 && same_file(path, options->model))
             return ktg_fail(context, KTG_ARGUMENT, "%s: is the model itself; name another output",
@@ -177,8 +179,9 @@ static ktg_status write_sheet(ktg_context *context, const ktg_pipeline_options *
     ktg_free(name);
     if (status != KTG_OK)
         return status;
-    return kind == OUTPUT_SVG ? ktg_render_svg(context, pattern, sheet, &options->render, output)
-                              : ktg_render_png(context, pattern, sheet, &options->render, output);
+    return kind == OUTPUT_SVG   ? ktg_render_svg(context, pattern, sheet, &options->render, output)
+           : kind == OUTPUT_DXF ? ktg_render_dxf(context, pattern, sheet, &options->render, output)
+                                : ktg_render_png(context, pattern, sheet, &options->render, output);
 }
 
 static ktg_status write_one(ktg_context *context, const ktg_pipeline_options *options,
@@ -193,6 +196,10 @@ static ktg_status write_one(ktg_context *context, const ktg_pipeline_options *op
     if (kind == OUTPUT_PNG && pattern->sheet_count > 1 && !number_place(path)) {
         KTG_TRY(open_next(context, open, path, &output));
         return ktg_render_contact(context, pattern, &options->render, output);
+    }
+    if (kind == OUTPUT_DXF && pattern->mode == KTG_CLOTH && !options->render.plain_dxf) {
+        KTG_TRY(open_next(context, open, path, &output));
+        return ktg_render_astm(context, pattern, &options->render, output);
     }
     for (size_t sheet = 0; sheet < pattern->sheet_count; sheet++)
         KTG_TRY(write_sheet(context, options, pattern, path, kind, sheet, open));

@@ -74,12 +74,15 @@ typedef struct ktg_pipeline_options {
     ktg_flatten_options flatten;
     ktg_finish_options finish;
     ktg_layout_options layout; /* what unfold.seconds leaves limits its time */
-    ktg_render_options render; /* its `up` is set by the run */
+    ktg_render_options render; /* its `up`, `marker` and `strain_limit` are set by the run */
+    bool marker; /* cloth: the layout's roll is fabric, on which all pieces lie, twins too, and
+                    whole: finish.twins and on_fold are passed over */
 
-    const char *const *outputs; /* output_count paths, kinds by ending: .pdf .svg .png .json; "-" is
-                                   PDF on standard output. A PNG shows all sheets, an SVG of several
-                                   becomes NAME-01.svg, NAME-02.svg, ...; with "%d" in its name
-                                   either becomes a file for each sheet, its number in that place */
+    const char *const *outputs; /* output_count paths, kinds by ending: .pdf .svg .dxf .png .json;
+                                   "-" is PDF on standard output. A PNG shows all sheets, an SVG or
+                                   a DXF of several becomes NAME-01.svg, NAME-02.svg, ... (of cloth
+                                   a DXF is one, unless render.plain_dxf); with "%d" in its name any
+                                   becomes a file for each sheet, its number in that place */
     size_t output_count;
     const char *report; /* where the figures go as JSON, or NULL; one of the outputs in every other
                            way */
@@ -106,6 +109,7 @@ typedef struct ktg_pipeline_report {
     ktg_layout_report layout;
     uint32_t faces, pieces, components;
     uint32_t self_intersections; /* of the surface that was unfolded; pairs of faces */
+    double fabric_length_mm;     /* of a marker: how much of the roll it takes; else 0 */
     ktg_vec2 sheet_mm; /* width and height of the sheets; of a page that fits, what it became */
     double mm_per_unit;
     ktg_vec3 size_mm; /* of the finished model: width, height (along up), length */
@@ -113,10 +117,14 @@ typedef struct ktg_pipeline_report {
     double seconds, seconds_unfold;
 } ktg_pipeline_report;
 
+/* Gives back what the report owns (flatten.panels); the figures stay. */
+KTG_API void ktg_pipeline_report_free(ktg_pipeline_report *report);
+
 /* Reads, deforms, leaves out, repairs, simplifies, unfolds (or flattens), scales, finishes, lays
  * out, renders and writes. All outputs are written beside their places first, brought to the disk
  * and then renamed together: when anything fails, no file is touched. The log says which files were
- * written. `report` may be NULL; after a failure it holds what was known by then. KTG_ARGUMENT for
+ * written. `report` may be NULL; after a failure it holds what was known by then;
+ * it is freed by ktg_pipeline_report_free either way. KTG_ARGUMENT for
  * options that make no sense, an ending that is not known, a file that is to be written twice or is
  * the model. */
 KTG_API KTG_NODISCARD ktg_status ktg_pipeline_run(ktg_context *context,

@@ -44,23 +44,66 @@ static ktg_status put_paper(ktg_context *context, ktg_output *output,
     return put_figures(context, output, figures, sizeof figures / sizeof *figures);
 }
 
+static ktg_status put_panel(ktg_context *context, ktg_output *output, uint32_t piece,
+                            const ktg_panel_report *panel) {
+    const figure figures[] = {{"faces", panel->faces},
+                              {"iterations", panel->iterations},
+                              {"flipped_faces", panel->flipped_faces},
+                              {"arap_energy", panel->arap_energy},
+                              {"symmetric_dirichlet", panel->symmetric_dirichlet},
+                              {"strain_mean", panel->strain_mean},
+                              {"strain_p95", panel->strain_p95},
+                              {"strain_max", panel->strain_max},
+                              {"area_beyond_limit", panel->area_beyond_limit},
+                              {"border_error", panel->border_error},
+                              {"seconds", panel->seconds}};
+    KTG_TRY(ktg_output_print(context, output, "%s\n    {\"piece\": %u, \"method\": \"%s\"",
+                             piece > 0 ? "," : "", piece + 1,
+                             ktg_flatten_method_name(panel->method)));
+    for (size_t i = 0; i < sizeof figures / sizeof *figures; i++)
+        KTG_TRY(
+            ktg_output_print(context, output, ", \"%s\": %.17g", figures[i].key, figures[i].value));
+    return ktg_output_print(context, output, "}");
+}
+
+static ktg_status put_panels(ktg_context *context, ktg_output *output,
+                             const ktg_flatten_report *f) {
+    KTG_TRY(ktg_output_print(context, output, ",\n  \"panels\": ["));
+    for (uint32_t p = 0; p < f->panel_count; p++)
+        KTG_TRY(put_panel(context, output, p, &f->panels[p]));
+    return ktg_output_print(context, output, "]");
+}
+
 static ktg_status put_cloth(ktg_context *context, ktg_output *output,
                             const ktg_pipeline_report *r) {
     const ktg_flatten_report *f = &r->flatten;
-    const figure figures[] = {{"iterations", f->iterations},
-                              {"flipped_by_arap", f->flipped_by_arap},
-                              {"crossed_by_arap", f->crossed_by_arap},
-                              {"flipped_faces", f->flipped_faces},
-                              {"arap_energy", f->arap_energy},
-                              {"symmetric_dirichlet", f->symmetric_dirichlet},
-                              {"strain_mean", f->strain_mean},
-                              {"strain_p95", f->strain_p95},
-                              {"strain_max", f->strain_max},
+    const ktg_panel_report *whole = &f->whole;
+    const figure figures[] = {{"iterations", whole->iterations},
+                              {"flipped_by_arap", whole->flipped_by_arap},
+                              {"crossed_by_arap", whole->crossed_by_arap},
+                              {"flipped_faces", whole->flipped_faces},
+                              {"arap_energy", whole->arap_energy},
+                              {"symmetric_dirichlet", whole->symmetric_dirichlet},
+                              {"strain_mean", whole->strain_mean},
+                              {"strain_p95", whole->strain_p95},
+                              {"strain_max", whole->strain_max},
                               {"strain_limit", f->strain_limit},
-                              {"area_beyond_limit", f->area_beyond_limit},
-                              {"border_error", f->border_error}};
-    KTG_TRY(put_text(context, output, "method", ktg_flatten_method_name(f->method)));
-    return put_figures(context, output, figures, sizeof figures / sizeof *figures);
+                              {"area_beyond_limit", whole->area_beyond_limit},
+                              {"border_error", whole->border_error},
+                              {"panels_beyond_limit", f->panels_beyond},
+                              {"cut_edges", f->seam_edges},
+                              {"cut_edges_opened", f->opened_edges},
+                              {"cut_edges_auto", f->auto_edges},
+                              {"edge_error", f->seam_error},
+                              {"seam_error", r->finish.seam_error},
+                              {"seam_error_mm", r->finish.seam_error_mm},
+                              {"darts", r->finish.darts},
+                              {"notches", r->finish.notches},
+                              {"twins", r->finish.twins},
+                              {"on_fold", r->finish.on_fold}};
+    KTG_TRY(put_text(context, output, "method", ktg_flatten_method_name(whole->method)));
+    KTG_TRY(put_figures(context, output, figures, sizeof figures / sizeof *figures));
+    return put_panels(context, output, f);
 }
 
 ktg_status ktg_pipeline_write_report(ktg_context *context, const ktg_pipeline_options *options,
@@ -77,6 +120,7 @@ ktg_status ktg_pipeline_write_report(ktg_context *context, const ktg_pipeline_op
                               {"tabs_none", r->finish.tabs_none},
                               {"mate_distance_mm", r->finish.mate_distance_mm},
                               {"sheets", r->layout.sheets},
+                              {"fabric_length_mm", r->fabric_length_mm},
                               {"sheet_width_mm", r->sheet_mm.x},
                               {"sheet_height_mm", r->sheet_mm.y},
                               {"mm_per_unit", r->mm_per_unit},

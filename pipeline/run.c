@@ -125,7 +125,9 @@ static ktg_status run(ktg_context *context, const ktg_pipeline_options *options,
     ktg_pipeline_options with_title = *options;
     if (!with_title.render.title)
         with_title.render.title = j->title;
+    with_title.render.strain_limit = options->flatten.strain_limit;
     with_title.render.up = (unsigned)(ktg_size_up(options) - KTG_AXIS_X);
+    with_title.render.marker = options->marker;
     KTG_TRY(ktg_outputs_write(context, &with_title, j->pattern, &j->outputs));
     report->seconds = ktg_clock_seconds() - j->start;
     KTG_TRY(ktg_outputs_write_report(context, options, report, &j->outputs));
@@ -136,6 +138,11 @@ static ktg_status run(ktg_context *context, const ktg_pipeline_options *options,
     return ktg_outputs_commit(context, &j->outputs);
 }
 
+void ktg_pipeline_report_free(ktg_pipeline_report *report) {
+    if (report)
+        ktg_flatten_report_free(&report->flatten);
+}
+
 ktg_status ktg_pipeline_run(ktg_context *context, const ktg_pipeline_options *options,
                             ktg_pipeline_report *report) {
     ktg_pipeline_report own = {0};
@@ -144,6 +151,8 @@ ktg_status ktg_pipeline_run(ktg_context *context, const ktg_pipeline_options *op
     own.seconds = ktg_clock_seconds() - j.start;
     if (report)
         *report = own;
+    else
+        ktg_pipeline_report_free(&own);
     ktg_outputs_discard(&j.outputs);
     ktg_pattern_free(&j.pattern);
     ktg_mesh_free(&j.mesh);

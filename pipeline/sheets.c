@@ -1,5 +1,6 @@
 /* pipeline/sheets.c - scale, finish, lay out; several pieces grow until they fill one sheet. */
 #include "pipeline/sheets.h"
+#include "pipeline/printed.h"
 #include "pipeline/size.h"
 
 #include "core/clock.h"
@@ -27,8 +28,8 @@ static double seconds_left(const task *t) {
 }
 
 /* On sheets, on posters too, or on one page. */
-static ktg_status lay_out(const task *t, const ktg_layout_options *layout, ktg_pattern *pattern,
-                          ktg_layout_report *report) {
+static ktg_status lay_out_all(const task *t, const ktg_layout_options *layout, ktg_pattern *pattern,
+                              ktg_layout_report *report) {
     if (ktg_layout_is_page(&layout->sheet))
         return ktg_layout_page(t->context, pattern, layout, report);
     if (t->options->large == KTG_LARGE_TILE && !layout->roll)
@@ -36,12 +37,31 @@ static ktg_status lay_out(const task *t, const ktg_layout_options *layout, ktg_p
     return ktg_layout_place(t->context, pattern, layout, report);
 }
 
+static ktg_status lay_out(const task *t, const ktg_layout_options *layout, ktg_pattern *pattern,
+                          ktg_layout_report *report) {
+    ktg_printed printed;
+    if (pattern->mode == KTG_PAPER)
+        return lay_out_all(t, layout, pattern, report);
+    ktg_status status = ktg_printed_view(t->context, pattern, &printed);
+    if (status == KTG_OK)
+        status = lay_out_all(t, layout, &printed.view, report);
+    if (status == KTG_OK)
+        ktg_printed_take_sheets(&printed, pattern);
+    ktg_printed_drop(&printed);
+    return status;
+}
+
 static ktg_status put(const task *t, const ktg_layout_options *wish, double mm_per_unit,
                       ktg_pattern *pattern, ktg_pipeline_report *report) {
     ktg_layout_options layout = *wish;
+    ktg_finish_options finish = t->options->finish;
+    if (t->options->marker) { /* every piece, and the whole of it */
+        finish.twins = false;
+        finish.on_fold_count = 0;
+    }
     KTG_TRY(ktg_check_cancel(t->context));
     KTG_TRY(ktg_pattern_scale(t->context, pattern, mm_per_unit));
-    KTG_TRY(ktg_pattern_finish(t->context, pattern, &t->options->finish, &report->finish));
+    KTG_TRY(ktg_pattern_finish(t->context, pattern, &finish, &report->finish));
     double left = seconds_left(t);
     if (!isinf(left))
         layout.seconds = fmax(LEAST_SECONDS, left);

@@ -48,7 +48,9 @@ static ktg_status unfold(ktg_context *context, const ktg_stage *stage, ktg_patte
 
 static ktg_status flatten(ktg_context *context, const ktg_stage *stage, ktg_pattern **pattern) {
     ktg_progress(context, "flatten", 0, NULL);
-    return ktg_flatten(context, stage->mesh, stage->title, &stage->options->flatten, pattern,
+    ktg_flatten_options flatten = stage->options->flatten;
+    flatten.up = (unsigned)(ktg_size_up(stage->options) - KTG_AXIS_X);
+    return ktg_flatten(context, stage->mesh, stage->title, &flatten, pattern,
                        &stage->report->flatten);
 }
 
@@ -63,10 +65,22 @@ ktg_status ktg_stage_pieces(ktg_context *context, const ktg_stage *stage, ktg_pa
     ktg_free(p->model_file);
     p->model_file = ktg_copy_text(context, ktg_base_name(options->model), SIZE_MAX);
     p->model_faces = report->model.faces;
-    p->simplified = report->simplify.faces_after != report->simplify.faces_before;
+    p->simplified = p->simplified || report->simplify.faces_after != report->simplify.faces_before;
     if (!p->model_file)
         return KTG_MEMORY;
     return ktg_pattern_set_omitted(context, p, options->omit, options->omit_count);
+}
+
+/* A marker that is longer than a page can be is cut from several lengths. */
+static void tell_fabric(ktg_context *context, const ktg_pipeline_options *options,
+                        const ktg_pattern *pattern, ktg_pipeline_report *report) {
+    report->fabric_length_mm = 0;
+    if (!options->marker)
+        return;
+    for (size_t s = 0; s < pattern->sheet_count; s++)
+        report->fabric_length_mm += pattern->sheets[s].height_mm;
+    ktg_log(context, KTG_LOG_NOTE, "the marker takes %.0f mm of fabric %.0f mm wide",
+            ceil(report->fabric_length_mm), pattern->sheets[0].width_mm);
 }
 
 ktg_status ktg_stage_sheets(ktg_context *context, const ktg_stage *stage, ktg_pattern **pattern) {
@@ -81,6 +95,7 @@ ktg_status ktg_stage_sheets(ktg_context *context, const ktg_stage *stage, ktg_pa
     report->mm_per_unit = p->mm_per_unit;
     report->sheet_mm = (ktg_vec2){p->sheets[0].width_mm, p->sheets[0].height_mm};
     report->up = ktg_size_up(options);
+    tell_fabric(context, options, p, report);
     report->size_mm = ktg_size_of(p->vertices, p->vertex_count, report->up);
     return KTG_OK;
 }

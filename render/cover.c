@@ -7,6 +7,9 @@
 #define GAP_MM      6.0
 #define HEAD_MM     6.0 /* a map's heading */
 
+/* What the test square takes. */
+#define SQUARE_ROOM_MM 58.0
+
 size_t ktg_cover_count(const ktg_drawing *drawing) {
     uint32_t posters = ktg_poster_count(drawing->pattern);
     return (posters + MAPS_A_PAGE - 1) / MAPS_A_PAGE;
@@ -94,5 +97,9 @@ void ktg_cover_draw(const ktg_drawing *drawing, cairo_t *cairo, size_t number) {
     uint32_t left = ktg_poster_count(drawing->pattern) + 1 - first;
     if (number == 0)
         write_head(&at);
+    if (number == 0 && drawing->pattern->mode == KTG_CLOTH) {
+        ktg_test_square_draw(cairo, at.x, at.y);
+        at.y += SQUARE_ROOM_MM;
+    }
     draw_maps(&at, first, left < MAPS_A_PAGE ? left : MAPS_A_PAGE);
 }

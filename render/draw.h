@@ -40,6 +40,7 @@ typedef enum ktg_stroke {
 typedef struct ktg_fold_segment {
     ktg_vec2 from, to; /* in the piece */
     ktg_stroke stroke; /* KTG_STROKE_MOUNTAIN or KTG_STROKE_VALLEY */
+    bool is_foot;      /* of a tab */
 } ktg_fold_segment;
 
 /* Half a diamond on an edge that is glued to its mate without a tab: two corners on the edge, one
@@ -122,6 +123,16 @@ KTG_NODISCARD ktg_status ktg_page_draw(const ktg_drawing *drawing, size_t sheet,
 /* A straight stroke of the given kind on the page, its dashes fitted to its length. */
 void ktg_draw_stroke(const ktg_drawing *drawing, cairo_t *cairo, ktg_stroke stroke, ktg_vec2 from,
                      ktg_vec2 to);
+/* A dash, a gap, and a dot between two gaps where `dot` is not 0; mm. */
+typedef struct ktg_dashes {
+    double dash, gap, dot; /* dash 0: solid */
+} ktg_dashes;
+
+/* How a kind is dashed, and that stretched so that a line of `length` begins and ends with a dash
+ * and has two at least. */
+ktg_dashes ktg_stroke_dashes(const ktg_drawing *drawing, ktg_stroke stroke);
+ktg_dashes ktg_dashes_fit(ktg_dashes wished, double length);
+double ktg_stroke_width_mm(ktg_stroke stroke);
 /* Sets colour and width of a kind, no dashes. */
 void ktg_draw_set_stroke(const ktg_drawing *drawing, cairo_t *cairo, ktg_stroke stroke);
 /* What a pattern's line is drawn as. */
@@ -142,6 +153,18 @@ void ktg_draw_outline(const ktg_page *page, const ktg_pattern_placement *placeme
 void ktg_draw_joints(const ktg_page *page, const ktg_pattern_placement *placement);
 void ktg_draw_labels(const ktg_page *page, const ktg_pattern_placement *placement);
 
+/* A label where it is read. */
+typedef struct ktg_placed_label {
+    char text[128];      /* each byte of a label may become the three of U+FFFD */
+    ktg_vec2 at;         /* its middle, on the page */
+    double angle, width; /* counter-clockwise; in mm */
+} ktg_placed_label;
+
+/* Where a label is read; false when it is empty. A number keeps its turn, and has a dot where it
+ * could be misread; a name is turned so that it can be read. Sets cairo's typeface. */
+bool ktg_label_place(const ktg_page *page, const ktg_pattern_placement *placement,
+                     const ktg_pattern_label *label, ktg_placed_label *placed);
+
 /* ---- font.c, text.c
  * ------------------------------------------------------------------------------- */
 
@@ -150,6 +173,8 @@ void ktg_draw_labels(const ktg_page *page, const ktg_pattern_placement *placemen
 const char *ktg_text_order(const char *text, char ordered[KTG_TITLE_SIZE]);
 
 #define KTG_FONT_FAMILY "DejaVu Sans"
+/* Its height of a digit as a fraction of the font size. */
+#define KTG_DIGIT_PER_SIZE 0.729
 
 /* Chooses another typeface where the chosen one lacks letters of `text`, and goes back to the usual
  * one. */
@@ -185,7 +210,7 @@ void ktg_text_shorten(cairo_t *cairo, double width, char *text, size_t size);
  * room for some of them. */
 KTG_NODISCARD ktg_status ktg_furniture_draw(const ktg_page *page, bool *complete);
 
-#define KTG_DETAIL_COUNT 4
+#define KTG_DETAIL_COUNT 5
 #define KTG_DETAIL_SIZE  96
 
 /* What is told beside the title, each a few words: "sheet 1 of 2", "12.5 mm per unit", ...; for the
@@ -238,6 +263,27 @@ void ktg_ruler_draw(cairo_t *cairo, double x, double y, bool whole, bool upright
 /* How much room it takes along its line. */
 double ktg_ruler_length(bool whole);
 
+/* ---- marker.c ----------------------------------------------------------------------------- */
+
+/* True when the sheet is fabric. */
+bool ktg_is_marker(const ktg_page *page);
+/* "fabric 1400 mm wide, 2350 mm long". */
+void ktg_marker_tell(const ktg_pattern_sheet *sheet, char text[KTG_DETAIL_SIZE]);
+/* Draws the edges of the fabric, its width and its length, where the sheet is fabric. */
+void ktg_marker_draw(const ktg_page *page);
+
+/* ---- registration.c ----------------------------------------------------------------------- */
+
+#define KTG_REGISTRATION_MARKS 3
+
+/* Marks by which a cutter finds the print: crosses in circles in three corners of the margins (not
+ * the lower right one), in mm from the sheet's lower left corner. False when the margins are too
+ * narrow. */
+bool ktg_registration_find(const ktg_pattern_sheet *sheet, ktg_vec2 marks[KTG_REGISTRATION_MARKS],
+                           double *reach);
+/* Draws them, where they are wanted. */
+void ktg_registration_draw(const ktg_page *page);
+
 /* ---- column.c ----------------------------------------------------------------------------- */
 
 /* The state of a page that is written from top to bottom. */
@@ -260,7 +306,8 @@ void ktg_column_skip(ktg_column *at, double mm);
 
 #define KTG_NAME_SIZE 128
 
-/* What a piece is called: "body", or "body 2 of 3" where its part of the model has several. */
+/* What a piece is called: "body", or, of paper, "body 2 of 3" where its part of the model has
+ * several. */
 void ktg_drawing_piece_name(const ktg_drawing *drawing, uint32_t piece, char name[KTG_NAME_SIZE]);
 
 /* Only "2 of 3"; "" where its part of the model has no other piece. */
@@ -281,6 +328,17 @@ const ktg_pattern_sheet *ktg_tile_neighbour(const ktg_drawing *drawing,
 void ktg_tile_draw_ground(const ktg_page *page);
 void ktg_tile_draw_joins(const ktg_page *page);
 
+/* Where a neighbour joins: a line along one side of the tile, on the page. */
+typedef struct ktg_tile_join {
+    ktg_vec2 from, to;
+    ktg_vec2 out; /* a unit vector towards the neighbour */
+    bool trim;    /* this sheet is cut here; else the neighbour comes up to it */
+    const ktg_pattern_sheet *neighbour;
+} ktg_tile_join;
+
+/* Side 0 left, 1 above, 2 right, 3 below; false where no tile is. */
+bool ktg_tile_join_find(const ktg_page *page, int side, ktg_tile_join *found);
+
 /* The extent of a poster, and its map in `area` at `scale` (millimetres of paper for one of the
  * poster): the tiles with their names, and the piece. */
 ktg_vec2 ktg_map_size(const ktg_drawing *drawing, uint32_t poster);
@@ -299,6 +357,13 @@ void ktg_solid_eye(unsigned up, bool from_behind, ktg_vec3 *right, ktg_vec3 *abo
 /* How many pages with the maps of posters come first in a PDF, and one of them (from 0). */
 size_t ktg_cover_count(const ktg_drawing *drawing);
 void ktg_cover_draw(const ktg_drawing *drawing, cairo_t *cairo, size_t number);
+
+/* Cloth: a page that shows where it strains, with a square to check the printer by. */
+bool ktg_strain_is_wanted(const ktg_drawing *drawing);
+KTG_NODISCARD ktg_status ktg_strain_draw(const ktg_drawing *drawing, cairo_t *cairo,
+                                         double width_mm, double height_mm);
+/* A square of 50 mm with its upper left corner at (x, y). */
+void ktg_test_square_draw(cairo_t *cairo, double x, double y);
 
 /* A page of its own that tells how to read the pattern. */
 void ktg_guide_draw(const ktg_drawing *drawing, cairo_t *cairo, double width_mm, double height_mm);

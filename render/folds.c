@@ -34,7 +34,8 @@ static bool fold_of_edge(const ktg_drawing *drawing, const uint32_t *place,
         edge->side_count < 1 || !ktg_drawing_side(drawing, place, &edge->sides[0], corners))
         return false;
     *piece_index = edge->sides[0].piece;
-    *segment = (ktg_fold_segment){corners[0], corners[1], stroke_of_angle(drawing, edge->angle)};
+    *segment =
+        (ktg_fold_segment){corners[0], corners[1], stroke_of_angle(drawing, edge->angle), false};
     return segment->stroke != KTG_STROKE_COUNT;
 }
 
@@ -45,7 +46,7 @@ static bool fold_of_tab(const ktg_drawing *drawing, const ktg_pattern_tab *tab,
         return false;
     double angle = drawing->pattern->edges[tab->edge].angle;
     *segment = (ktg_fold_segment){tab->corners[0], tab->corners[tab->corner_count - 1],
-                                  stroke_of_angle(drawing, angle)};
+                                  stroke_of_angle(drawing, angle), true};
     return segment->stroke != KTG_STROKE_COUNT;
 }
 

@@ -45,6 +45,8 @@ size_t ktg_furniture_details(const ktg_drawing *drawing, size_t sheet,
                  "finished size %.4g \xc3\x97 %.4g \xc3\x97 %.4g mm", round(size.x), round(size.y),
                  round(size.z));
     }
+    if (drawing->options.marker && sheet != SIZE_MAX)
+        ktg_marker_tell(&pattern->sheets[sheet], details[count++]);
     snprintf(details[count++], KTG_DETAIL_SIZE, "print at 100 %%");
     return count;
 }

@@ -10,12 +10,6 @@ static bool upside_down(double angle) {
     return c < -1e-9 || (c < 1e-9 && s < 0);
 }
 
-/* A label where it is read: its text, and cairo moved and turned so that (0, 0) is its centre. */
-typedef struct placed_label {
-    char text[128]; /* each byte of a label may become the three of U+FFFD */
-    double x, baseline, angle;
-} placed_label;
-
 /* The place nearest to `at` where a text of the given size, turned by `angle`, stays within the
  * printable area: a name may be longer than its piece, but does not run into the furniture. */
 static ktg_vec2 within_printable(const ktg_page *page, ktg_vec2 at, double angle, double width,
@@ -27,29 +21,54 @@ static ktg_vec2 within_printable(const ktg_page *page, ktg_vec2 at, double angle
                       fmax(fmin(at.y, area.y1 - y), area.y0 + y)};
 }
 
-/* Saves cairo's state and moves to the label; false (and nothing to restore) when it is empty. A
- * number keeps its turn, and has a dot where it could be misread; a name is turned so that it can
- * be read. */
-static bool begin_label(const ktg_page *page, const ktg_pattern_placement *placement,
-                        const ktg_pattern_label *label, placed_label *placed) {
+/* Level lines of a name stand below each other, and do so too when each is turned over to be read:
+ * then they change places, about the middle of them all. */
+static ktg_vec2 turned_place(const ktg_page *page, const ktg_pattern_placement *placement,
+                             const ktg_pattern_label *label) {
+    const ktg_pattern_piece *piece = &page->drawing->pattern->pieces[placement->piece];
+    double low = INFINITY, high = -INFINITY;
+    if (label->rotation != 0 || !upside_down(placement->rotation))
+        return label->at;
+    for (size_t i = 0; i < piece->label_count; i++) {
+        const ktg_pattern_label *line = &piece->labels[i];
+        if (line->edge != KTG_NONE || line->rotation != 0 || line->at.x != label->at.x)
+            continue;
+        low = fmin(low, line->at.y - line->height_mm / 2);
+        high = fmax(high, line->at.y + line->height_mm / 2);
+    }
+    return (ktg_vec2){label->at.x, low + high - label->at.y};
+}
+
+bool ktg_label_place(const ktg_page *page, const ktg_pattern_placement *placement,
+                     const ktg_pattern_label *label, ktg_placed_label *placed) {
     ktg_text_clean(label->text, sizeof label->text, placed->text, sizeof placed->text);
     if (!*placed->text || !(label->height_mm > 0))
         return false;
-    double angle = label->rotation + placement->rotation;
-    ktg_vec2 at = ktg_page_point(page, ktg_page_motion(placement), label->at);
-    cairo_save(page->cairo);
+    placed->angle = label->rotation + placement->rotation;
+    ktg_vec2 spot = label->edge == KTG_NONE ? turned_place(page, placement, label) : label->at;
+    placed->at = ktg_page_point(page, ktg_page_motion(placement), spot);
     ktg_text_set(page->cairo, KTG_FACE_PLAIN, label->height_mm);
-    double width = ktg_text_width(page->cairo, placed->text);
-    if (label->edge == KTG_NONE) {
-        angle += upside_down(angle) ? KTG_PI : 0;
-        if (page->sheet->kind != KTG_TILE)
-            at = within_printable(page, at, angle, width, label->height_mm);
+    placed->width = ktg_text_width(page->cairo, placed->text);
+    if (label->edge != KTG_NONE)
+        return true;
+    placed->angle += upside_down(placed->angle) ? KTG_PI : 0;
+    if (page->sheet->kind != KTG_TILE)
+        placed->at =
+            within_printable(page, placed->at, placed->angle, placed->width, label->height_mm);
+    return true;
+}
+
+/* Saves cairo's state and moves to the label, so that (0, 0) is its centre; false (and nothing to
+ * restore) when it is empty. */
+static bool begin_label(const ktg_page *page, const ktg_pattern_placement *placement,
+                        const ktg_pattern_label *label, ktg_placed_label *placed) {
+    cairo_save(page->cairo);
+    if (!ktg_label_place(page, placement, label, placed)) {
+        cairo_restore(page->cairo);
+        return false;
     }
-    cairo_translate(page->cairo, at.x, at.y);
-    cairo_rotate(page->cairo, -angle);
-    placed->x = -width / 2;
-    placed->baseline = label->height_mm / 2;
-    placed->angle = angle;
+    cairo_translate(page->cairo, placed->at.x, placed->at.y);
+    cairo_rotate(page->cairo, -placed->angle);
     return true;
 }
 
@@ -73,7 +92,7 @@ static void draw_leader(const ktg_page *page, const ktg_pattern_placement *place
 void ktg_draw_grounds(const ktg_page *page, const ktg_pattern_placement *placement) {
     const ktg_pattern_piece *piece = &page->drawing->pattern->pieces[placement->piece];
     cairo_t *cairo = page->cairo;
-    placed_label placed;
+    ktg_placed_label placed;
     for (size_t i = 0; i < piece->label_count; i++) {
         const ktg_pattern_label *label = &piece->labels[i];
         if (label->edge != KTG_NONE && !label->leader)
@@ -82,14 +101,15 @@ void ktg_draw_grounds(const ktg_page *page, const ktg_pattern_placement *placeme
             draw_leader(page, placement, label);
         if (!begin_label(page, placement, label, &placed))
             continue;
-        ktg_text_ground(cairo, placed.x, placed.baseline, placed.text, label->height_mm / 3);
+        ktg_text_ground(cairo, -placed.width / 2, label->height_mm / 2, placed.text,
+                        label->height_mm / 3);
         cairo_restore(cairo);
     }
 }
 
 void ktg_draw_labels(const ktg_page *page, const ktg_pattern_placement *placement) {
     const ktg_pattern_piece *piece = &page->drawing->pattern->pieces[placement->piece];
-    placed_label placed;
+    ktg_placed_label placed;
     for (size_t i = 0; i < piece->label_count; i++) {
         const ktg_pattern_label *label = &piece->labels[i];
         double grey = label->edge == KTG_NONE ? 0.35 : 0.15;
@@ -97,7 +117,7 @@ void ktg_draw_labels(const ktg_page *page, const ktg_pattern_placement *placemen
             continue;
         cairo_set_source_rgb(page->cairo, grey, grey, grey);
         if (label->edge == KTG_NONE)
-            ktg_text_draw(page->cairo, placed.x, placed.baseline, placed.text);
+            ktg_text_draw(page->cairo, -placed.width / 2, label->height_mm / 2, placed.text);
         else
             ktg_number_draw(page->cairo, placed.angle, label->height_mm, placed.text);
         cairo_restore(page->cairo);

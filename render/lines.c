@@ -1,14 +1,9 @@
 /* render/lines.c - what a placed piece is drawn with: tabs, folds, lines, outline, labels. */
 #include "render/draw.h"
 
-/* A dash, a gap, and a dot between two gaps where `dot` is not 0; mm, before fitting. */
-typedef struct dashes {
-    double dash, gap, dot;
-} dashes;
-
 typedef struct look {
     double width_mm;
-    dashes dashes; /* dash 0: solid */
+    ktg_dashes dashes; /* before fitting */
     double grey;
 } look;
 
@@ -28,29 +23,33 @@ static const look looks[KTG_STROKE_COUNT] = {
     [KTG_STROKE_JOIN] = {0.15, {1, 1, 0}, 0.55},
 };
 
-static dashes dashes_of(const ktg_drawing *drawing, ktg_stroke stroke) {
+ktg_dashes ktg_stroke_dashes(const ktg_drawing *drawing, ktg_stroke stroke) {
     if (drawing->options.folds == KTG_FOLDS_SOLID) {
         if (stroke == KTG_STROKE_MOUNTAIN)
-            return (dashes){0, 0, 0};
+            return (ktg_dashes){0, 0, 0};
         if (stroke == KTG_STROKE_VALLEY)
             return looks[KTG_STROKE_MOUNTAIN].dashes;
     }
     return looks[stroke].dashes;
 }
 
-/* Stretches the dashes so that a line of `length` begins and ends with a dash and has two at least.
- */
-static void set_dashes(cairo_t *cairo, dashes wished, double length) {
-    if (!(wished.dash > 0) || !(length > 0)) {
-        cairo_set_dash(cairo, NULL, 0, 0);
-        return;
-    }
+double ktg_stroke_width_mm(ktg_stroke stroke) {
+    return looks[stroke].width_mm;
+}
+
+ktg_dashes ktg_dashes_fit(ktg_dashes wished, double length) {
+    if (!(wished.dash > 0) || !(length > 0))
+        return (ktg_dashes){0, 0, 0};
     double between = wished.dot > 0 ? 2 * wished.gap + wished.dot : wished.gap;
     double count = fmax(2, round((length + between) / (wished.dash + between)));
     double stretch = length / (count * wished.dash + (count - 1) * between);
-    double lengths[] = {stretch * wished.dash, stretch * wished.gap, stretch * wished.dot,
-                        stretch * wished.gap};
-    cairo_set_dash(cairo, lengths, wished.dot > 0 ? 4 : 2, 0);
+    return (ktg_dashes){stretch * wished.dash, stretch * wished.gap, stretch * wished.dot};
+}
+
+static void set_dashes(cairo_t *cairo, ktg_dashes wished, double length) {
+    ktg_dashes fitted = ktg_dashes_fit(wished, length);
+    double lengths[] = {fitted.dash, fitted.gap, fitted.dot, fitted.gap};
+    cairo_set_dash(cairo, lengths, fitted.dash <= 0 ? 0 : fitted.dot > 0 ? 4 : 2, 0);
 }
 
 void ktg_draw_set_stroke(const ktg_drawing *drawing, cairo_t *cairo, ktg_stroke stroke) {
@@ -74,7 +73,7 @@ void ktg_draw_set_tint(cairo_t *cairo) {
 void ktg_draw_stroke(const ktg_drawing *drawing, cairo_t *cairo, ktg_stroke stroke, ktg_vec2 from,
                      ktg_vec2 to) {
     ktg_draw_set_stroke(drawing, cairo, stroke);
-    set_dashes(cairo, dashes_of(drawing, stroke), ktg_length2(ktg_sub2(to, from)));
+    set_dashes(cairo, ktg_stroke_dashes(drawing, stroke), ktg_length2(ktg_sub2(to, from)));
     cairo_move_to(cairo, from.x, from.y);
     cairo_line_to(cairo, to.x, to.y);
     cairo_stroke(cairo);
@@ -157,7 +156,7 @@ static void draw_line(const ktg_page *page, ktg_motion2 motion, const ktg_patter
     for (size_t i = 1; i < line->point_count; i++)
         length += ktg_length2(ktg_sub2(line->points[i], line->points[i - 1]));
     ktg_draw_set_stroke(page->drawing, page->cairo, stroke);
-    set_dashes(page->cairo, dashes_of(page->drawing, stroke), length);
+    set_dashes(page->cairo, ktg_stroke_dashes(page->drawing, stroke), length);
     polygon(page, motion, line->points, line->point_count, false);
     cairo_stroke(page->cairo);
     if (line->kind == KTG_LINE_GRAIN && line->point_count > 1) {

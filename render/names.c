@@ -21,6 +21,8 @@ void ktg_drawing_piece_name(const ktg_drawing *drawing, uint32_t piece, char nam
     char clean[KTG_NAME_SIZE - 32], part[KTG_NAME_SIZE];
     ktg_text_clean(p->name ? p->name : "", SIZE_MAX, clean, sizeof clean);
     ktg_drawing_piece_part(drawing, piece, part);
+    if (drawing->pattern->mode == KTG_CLOTH)
+        *part = 0; /* every panel has a name of its own */
     if (!*clean)
         snprintf(name, KTG_NAME_SIZE, "piece %u", piece + 1);
     else

@@ -11,7 +11,9 @@ void ktg_render_defaults(ktg_render_options *options) {
                                     .flat_below = KTG_PI / 180,
                                     .dots_per_inch = 150,
                                     .up = 1,
-                                    .colour = true};
+                                    .colour = true,
+                                    .strain_map = true,
+                                    .strain_limit = 0.05};
 }
 
 /* The title asked for, or the model's file name without its ending. */

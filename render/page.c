@@ -59,6 +59,8 @@ ktg_status ktg_page_draw(const ktg_drawing *drawing, size_t number, cairo_t *cai
     cairo_restore(cairo);
     if (ktg_is_tile(page.sheet))
         ktg_tile_draw_joins(&page);
+    ktg_registration_draw(&page);
+    ktg_marker_draw(&page);
     ktg_progress(drawing->context, "render",
                  (double)(number + 1) / (double)drawing->pattern->sheet_count, NULL);
     return KTG_OK;

@@ -113,7 +113,7 @@ static void sheet_entry(const ktg_drawing *drawing, size_t number, char text[ENT
 static ktg_status draw_sheet(pdf *p, size_t number) {
     const ktg_pattern_sheet *sheet = &p->drawing->pattern->sheets[number];
     char label[KTG_NAME_SIZE], entry[ENTRY_SIZE];
-    bool furnished;
+    bool furnished = false;
     snprintf(label, sizeof label, "%zu", number + 1);
     if (ktg_is_tile(sheet))
         ktg_tile_name(p->drawing, sheet, label);
@@ -123,6 +123,17 @@ static ktg_status draw_sheet(pdf *p, size_t number) {
     add_entry(p, p->section, entry, false);
     ktg_status status = ktg_page_draw(p->drawing, number, p->cairo, &furnished);
     p->all_furnished = p->all_furnished && furnished;
+    cairo_show_page(p->cairo);
+    return status;
+}
+
+static ktg_status draw_strain(pdf *p) {
+    const ktg_pattern_sheet *first = &p->drawing->pattern->sheets[0];
+    if (!ktg_strain_is_wanted(p->drawing))
+        return KTG_OK;
+    begin_page(p, "strain", first);
+    add_entry(p, CAIRO_PDF_OUTLINE_ROOT, "Where the cloth strains", false);
+    ktg_status status = ktg_strain_draw(p->drawing, p->cairo, first->width_mm, first->height_mm);
     cairo_show_page(p->cairo);
     return status;
 }
@@ -140,7 +151,7 @@ static ktg_status draw_pages(pdf *p) {
         ktg_guide_draw(p->drawing, p->cairo, first->width_mm, first->height_mm);
         cairo_show_page(p->cairo);
     }
-    return status;
+    return status == KTG_OK ? draw_strain(p) : status;
 }
 
 static ktg_status draw_pdf(const ktg_drawing *drawing, ktg_output *output) {

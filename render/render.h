@@ -1,4 +1,4 @@
-/* render/render.h - drawing sheets with Cairo: PDF, SVG, PNG. */
+/* render/render.h - drawing sheets: PDF and PNG with Cairo, SVG and DXF for machines. */
 #ifndef KTG_RENDER_RENDER_H
 #define KTG_RENDER_RENDER_H
 
@@ -14,6 +14,13 @@ typedef enum ktg_fold_style {
     KTG_FOLDS_SOLID   /* mountain solid, valley dashed (Pepakura) */
 } ktg_fold_style;
 
+/* What a user unit of an SVG is: some cutters do not know millimetres and read it as a pixel. */
+typedef enum ktg_svg_unit {
+    KTG_SVG_MM,
+    KTG_SVG_PX72, /* 72 in an inch */
+    KTG_SVG_PX96  /* 96 in an inch */
+} ktg_svg_unit;
+
 typedef struct ktg_render_options {
     const char *title; /* on every sheet and in the metadata; NULL: the model's file name */
     ktg_fold_style folds;
@@ -22,6 +29,13 @@ typedef struct ktg_render_options {
     unsigned up;          /* which axis of the model is height: 0 x, 1 y, 2 z; 1 */
     bool
         colour; /* mountain red, valley blue; the dashes tell them apart without it; default true */
+    bool strain_map;       /* cloth: the PDF ends with a page that shows where it strains; true */
+    double strain_limit;   /* of that page's colours; 0.05 */
+    ktg_svg_unit svg_unit; /* millimetres */
+    bool real_dashes;      /* SVG, DXF: dashes are short paths of their own; default false */
+    bool plain_dxf;    /* of cloth too, a DXF is for cutters, not for garment CAD; default false */
+    bool marker;       /* a roll is fabric: its edges, width and length are drawn; default false */
+    bool registration; /* marks in the margins by which a cutter finds the print; default false */
 } ktg_render_options;
 
 KTG_API void ktg_render_defaults(ktg_render_options *options);
@@ -39,14 +53,28 @@ KTG_API KTG_NODISCARD ktg_status ktg_render_pdf(ktg_context *context, const ktg_
                                                 const ktg_render_options *options,
                                                 ktg_output *output);
 
-/* One sheet (0 .. sheet_count - 1) as SVG, a user unit being a millimetre, or as PNG on white.
- * KTG_ARGUMENT when there is no such sheet, KTG_LIMIT above 32767 pixels a side. */
+/* One sheet (0 .. sheet_count - 1) as PNG on white, or as SVG for a cutting machine: a layer for
+ * each operation with a colour of its own, what is cut comes last and from the inside out, no line
+ * is cut twice. KTG_ARGUMENT when there is no such sheet, KTG_LIMIT for a PNG above 32767 pixels a
+ * side. */
 KTG_API KTG_NODISCARD ktg_status ktg_render_svg(ktg_context *context, const ktg_pattern *pattern,
                                                 size_t sheet, const ktg_render_options *options,
                                                 ktg_output *output);
 KTG_API KTG_NODISCARD ktg_status ktg_render_png(ktg_context *context, const ktg_pattern *pattern,
                                                 size_t sheet, const ktg_render_options *options,
                                                 ktg_output *output);
+
+/* One sheet as DXF (Release 12, ASCII, a unit is a millimetre) for a cutting machine: what the SVG
+ * holds, in layers. */
+KTG_API KTG_NODISCARD ktg_status ktg_render_dxf(ktg_context *context, const ktg_pattern *pattern,
+                                                size_t sheet, const ktg_render_options *options,
+                                                ktg_output *output);
+
+/* The whole pattern as DXF for garment CAD, after ASTM D6673: a block for each piece, numbered
+ * layers; inserted where the pieces lie on the sheets, which lie side by side. */
+KTG_API KTG_NODISCARD ktg_status ktg_render_astm(ktg_context *context, const ktg_pattern *pattern,
+                                                 const ktg_render_options *options,
+                                                 ktg_output *output);
 
 /* All pages in one PNG for a quick look: side by side in rows, no larger than 3000 pixels a side
  * and at most at options->dots_per_inch. */

@@ -3,9 +3,6 @@
 
 #include <string.h>
 
-/* DejaVu Sans: the height of a digit as a fraction of the font size. */
-#define DIGIT_PER_SIZE 0.729
-
 static const char replacement[] = "\xef\xbf\xbd", ellipsis[] = "\xe2\x80\xa6";
 
 /* Reads one character: its length in bytes, or 0 when the bytes are no valid UTF-8. Refuses what
@@ -69,7 +66,7 @@ void ktg_text_set(cairo_t *cairo, ktg_face face, double digit_mm) {
     cairo_select_font_face(cairo, KTG_FONT_FAMILY, CAIRO_FONT_SLANT_NORMAL,
                            face == KTG_FACE_BOLD ? CAIRO_FONT_WEIGHT_BOLD
                                                  : CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_font_size(cairo, digit_mm / DIGIT_PER_SIZE);
+    cairo_set_font_size(cairo, digit_mm / KTG_DIGIT_PER_SIZE);
 }
 
 double ktg_text_width(cairo_t *cairo, const char *text) {

@@ -22,14 +22,6 @@ void ktg_tile_draw_ground(const ktg_page *page) {
                   (area.y0 + area.y1 + digit) / 2, name);
 }
 
-/* Where a neighbour joins: a line along one side of the tile. */
-typedef struct join {
-    ktg_vec2 from, to;
-    ktg_vec2 out; /* a unit vector towards the neighbour */
-    bool trim;    /* this sheet is cut here; else the neighbour comes up to it */
-    const ktg_pattern_sheet *neighbour;
-} join;
-
 /* How far the neighbour's printable area is from this one's, along x and y of the page. */
 static ktg_vec2 step_to(const ktg_page *page, const ktg_pattern_sheet *neighbour) {
     const ktg_pattern_placement *mine = page->sheet->placements, *theirs = neighbour->placements;
@@ -40,8 +32,7 @@ static ktg_vec2 step_to(const ktg_page *page, const ktg_pattern_sheet *neighbour
                       up - (mine->y - theirs->y) + top - area.y0};
 }
 
-/* Side 0 left, 1 above, 2 right, 3 below; false where no tile is. */
-static bool find_join(const ktg_page *page, int side, join *found) {
+bool ktg_tile_join_find(const ktg_page *page, int side, ktg_tile_join *found) {
     static const int down[] = {0, -1, 0, 1}, right[] = {-1, 0, 1, 0};
     ktg_area area = ktg_page_printable(page);
     const ktg_pattern_sheet *neighbour =
@@ -52,11 +43,11 @@ static bool find_join(const ktg_page *page, int side, join *found) {
     double x = side == 2 ? area.x0 + step.x : area.x0;
     double y = side == 3 ? area.y0 + step.y : area.y0;
     bool upright = side % 2 == 0;
-    *found = (join){upright ? (ktg_vec2){x, area.y0} : (ktg_vec2){area.x0, y},
-                    upright ? (ktg_vec2){x, area.y1} : (ktg_vec2){area.x1, y},
-                    {right[side], down[side]},
-                    side < 2,
-                    neighbour};
+    *found = (ktg_tile_join){upright ? (ktg_vec2){x, area.y0} : (ktg_vec2){area.x0, y},
+                             upright ? (ktg_vec2){x, area.y1} : (ktg_vec2){area.x1, y},
+                             {right[side], down[side]},
+                             side < 2,
+                             neighbour};
     return true;
 }
 
@@ -69,7 +60,7 @@ static void cross(cairo_t *cairo, ktg_vec2 at) {
 }
 
 /* The neighbour's name with an arrow to it, in the middle of the join, on a white ground. */
-static void name_neighbour(const ktg_page *page, const join *j) {
+static void name_neighbour(const ktg_page *page, const ktg_tile_join *j) {
     cairo_t *cairo = page->cairo;
     char name[KTG_NAME_SIZE];
     double arrow = 1.8, gap = 0.8, inwards = j->trim ? -INSIDE_MM : INSIDE_MM;
@@ -90,7 +81,7 @@ static void name_neighbour(const ktg_page *page, const join *j) {
     ktg_text_draw(cairo, x, base, name);
 }
 
-static void draw_join(const ktg_page *page, const join *j) {
+static void draw_join(const ktg_page *page, const ktg_tile_join *j) {
     cairo_t *cairo = page->cairo;
     ktg_draw_stroke(page->drawing, cairo, j->trim ? KTG_STROKE_TRIM : KTG_STROKE_JOIN, j->from,
                     j->to);
@@ -111,8 +102,8 @@ void ktg_tile_draw_joins(const ktg_page *page) {
                     fmax(area.y1, page->sheet->height_mm - edge) - y0);
     cairo_clip(page->cairo);
     for (int side = 0; side < 4; side++) {
-        join j;
-        if (find_join(page, side, &j))
+        ktg_tile_join j;
+        if (ktg_tile_join_find(page, side, &j))
             draw_join(page, &j);
     }
     cairo_restore(page->cairo);

@@ -110,9 +110,8 @@ static void check_area(ktg_check *check, uint32_t id) {
     const ktg_pattern_piece *piece = &check->pattern->pieces[id];
     double expected = 0, length = 0;
     for (size_t i = 0; i < piece->face_count; i++) {
-        const uint32_t *c = piece->corners + 3 * i;
-        ktg_vec2 corners[3] = {piece->vertices[c[0]], piece->vertices[c[1]], piece->vertices[c[2]]};
-        expected += ktg_check_area2(corners, 3);
+        ktg_vec2 corners[4];
+        expected += ktg_check_area2(corners, ktg_check_drawn_face(piece, i, corners));
     }
     for (size_t i = 0; i < piece->tab_count; i++)
         expected += ktg_check_area2(piece->tabs[i].corners, piece->tabs[i].corner_count);

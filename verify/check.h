@@ -18,6 +18,7 @@
 #define KTG_VERIFY_TOUCH  1e-6  /* mm: points that should be the same, or inside */
 #define KTG_VERIFY_DEPTH  1e-3  /* mm: deeper is an overlap */
 #define KTG_VERIFY_EASE   0.005 /* cloth: of the two sides of a seam */
+#define KTG_VERIFY_MARKS  6.0   /* mm: between the marks of a notch (docs/pattern-json.md) */
 
 typedef struct ktg_check {
     ktg_context *context;
@@ -140,6 +141,14 @@ KTG_NODISCARD ktg_status ktg_check_pieces_apart(ktg_check *check);
 KTG_NODISCARD ktg_status ktg_check_tabs(ktg_check *check);
 KTG_NODISCARD ktg_status ktg_check_outlines(ktg_check *check);
 KTG_NODISCARD ktg_status ktg_check_seams(ktg_check *check);
+KTG_NODISCARD ktg_status ktg_check_cloth(ktg_check *check);
+
+/* How far p is on the drawn side of the fold of half a piece; infinite for a whole one. */
+double ktg_check_on_drawn_side(const ktg_pattern_piece *piece, ktg_vec2 p);
+/* What is drawn of the piece's face at that place of its list: 3 corners, or of half a piece 0
+ * to 4.
+ */
+uint32_t ktg_check_drawn_face(const ktg_pattern_piece *piece, size_t place, ktg_vec2 points[4]);
 void ktg_check_labels(ktg_check *check);
 KTG_NODISCARD ktg_status ktg_check_sheets(ktg_check *check);
 /* tiled[p]: on how many tiles piece p lies. */

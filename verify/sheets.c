@@ -26,7 +26,9 @@ static void check_inside(ktg_check *check, const ktg_pattern_sheet *sheet, size_
     const ktg_pattern_piece *piece = &check->pattern->pieces[at->piece];
     ktg_motion2 m = motion_of(at);
     double most = most_outside(sheet, m, piece->outline, piece->outline_count);
-    most = fmax(most, most_outside(sheet, m, piece->vertices, piece->vertex_count));
+    for (size_t i = 0; i < piece->vertex_count; i++)
+        if (!piece->on_fold || ktg_check_on_drawn_side(piece, piece->vertices[i]) >= 0)
+            most = fmax(most, outside(sheet, ktg_move2(m, piece->vertices[i])));
     for (size_t i = 0; i < piece->tab_count; i++)
         most =
             fmax(most, most_outside(sheet, m, piece->tabs[i].corners, piece->tabs[i].corner_count));
@@ -48,10 +50,10 @@ static ktg_status add_placed(ktg_check *check, ktg_check_shapes *shapes,
     const ktg_pattern_piece *piece = &check->pattern->pieces[at->piece];
     ktg_motion2 m = motion_of(at);
     for (size_t i = 0; i < piece->face_count; i++) {
-        ktg_vec2 corners[3];
-        for (size_t k = 0; k < 3; k++)
-            corners[k] = piece->vertices[piece->corners[3 * i + k]];
-        KTG_TRY(add_moved(check, shapes, m, corners, 3, group));
+        ktg_vec2 corners[4];
+        uint32_t count = ktg_check_drawn_face(piece, i, corners);
+        if (count > 0)
+            KTG_TRY(add_moved(check, shapes, m, corners, count, group));
     }
     for (size_t i = 0; i < piece->tab_count; i++)
         KTG_TRY(add_moved(check, shapes, m, piece->tabs[i].corners, piece->tabs[i].corner_count,
@@ -101,14 +103,16 @@ static void check_rectangle(ktg_check *check, const ktg_pattern_sheet *sheet, si
         ktg_check_problem(check, "The printable area of sheet %zu is not within its paper.", id);
 }
 
-/* Once each, or on tiles; more often only where a piece is to be cut several times. */
+/* Once each, or on tiles; more often only where a piece is to be cut several times; a piece that is
+ * cut with its twin at most once. */
 static void check_counts(ktg_check *check, const uint32_t *placed, const uint32_t *tiled) {
     for (size_t i = 0; i < check->pattern->piece_count; i++) {
         const ktg_pattern_piece *piece = &check->pattern->pieces[i];
         uint64_t most = (uint64_t)piece->cut_count + piece->cut_mirrored;
         if (most < 1 || check->pattern->mode == KTG_PAPER)
             most = 1;
-        if (placed[i] == 0 && tiled[i] == 0)
+        bool twin = check->pattern->mode == KTG_CLOTH && piece->cut_count == 0;
+        if (placed[i] == 0 && tiled[i] == 0 && !twin)
             ktg_check_problem(check, "Piece %zu is on no sheet.", i + 1);
         else if (placed[i] > 0 && tiled[i] > 0)
             ktg_check_problem(check, "Piece %zu is on a sheet and on tiles.", i + 1);

@@ -111,10 +111,9 @@ static uint32_t find_windows(ktg_check *check, uint32_t piece, window *windows) 
 static void check_piece(ktg_check *check, uint32_t piece, const window *windows, uint32_t count) {
     const ktg_pattern_piece *p = &check->pattern->pieces[piece];
     double missing = 0;
-    polygon shape = {.count = 3};
+    polygon shape = {.count = 0};
     for (size_t f = 0; f < p->face_count; f++) {
-        for (size_t k = 0; k < 3; k++)
-            shape.points[k] = p->vertices[p->corners[3 * f + k]];
+        shape.count = ktg_check_drawn_face(p, f, shape.points);
         missing += unseen(&shape, windows, count, 0);
     }
     for (size_t t = 0; t < p->tab_count; t++) {

@@ -79,6 +79,8 @@ static ktg_status check_geometry(ktg_check *check) {
     if (check->finished) {
         KTG_TRY(ktg_check_outlines(check));
         KTG_TRY(ktg_check_seams(check));
+        if (!paper)
+            KTG_TRY(ktg_check_cloth(check));
         ktg_check_labels(check);
     }
     return ktg_check_sheets(check);

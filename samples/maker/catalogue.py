@@ -2,8 +2,9 @@
 
 from collections import namedtuple
 
-from . import (bird, blouse, doll, egg, fox, house, lampshade, mask, plates,
-               polyhedra, robot, sleeve, tubes, whale)
+from . import (bird, blouse, doll, egg, fox, hat, house, lampshade, mask,
+               plates, plush, polyhedra, robot, skirt, sleeve, tshirt, tubes,
+               whale)
 from .check import Promise
 
 # `digits` counts the decimals of the file's centimetres.
@@ -11,6 +12,7 @@ Model = namedtuple("Model", "name title build digits promise")
 
 ANIMAL = dict(edge=0.02, angle=10.0, clearance=0.05)
 SOLID = dict(edge=0.02, angle=20.0, clearance=0.05)
+GARMENT = dict(edge=0.005, angle=15.0, clearance=0.05, mirrored=True)
 
 MODELS = [
     Model("fox", "sitting fox", fox.build, 3,
@@ -40,6 +42,19 @@ MODELS = [
     Model("blouse-front", "front panel of a blouse, in centimetres",
           blouse.build, 3, Promise(faces=(500, 2000), borders=1, edge=0.01,
                                    angle=15.0, clearance=0.05)),
+    Model("tshirt", "T-shirt, its panels as groups", tshirt.build, 3,
+          Promise(faces=(2500, 3500), borders=4, panels=4, **GARMENT)),
+    Model("tshirt-plain", "T-shirt whose seams are still to be found",
+          tshirt.build_plain, 3,
+          Promise(faces=(2500, 3500), borders=4, **GARMENT)),
+    Model("skirt", "A-line skirt with darts", skirt.build, 3,
+          Promise(faces=(2000, 3000), borders=2, panels=2, **GARMENT)),
+    Model("skirt-gores", "flared skirt of six gores", skirt.build_gores, 3,
+          Promise(faces=(2000, 3000), borders=2, panels=6, **GARMENT)),
+    Model("hat", "sun hat of six gores and a brim", hat.build, 3,
+          Promise(faces=(1000, 2000), borders=1, panels=8, **GARMENT)),
+    Model("plush-whale", "plush whale", plush.build, 3,
+          Promise(faces=(1500, 3500), panels=11, **GARMENT)),
     Model("doll", "doll with its arms spread", doll.build, 3,
           Promise(faces=(1000, 2000), edge=0.01, angle=20.0,
                   clearance=0.05)),

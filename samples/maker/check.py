@@ -5,19 +5,21 @@ from collections import namedtuple
 from . import vec
 from .clash import clashes
 from .mesh import neighbours
+from .panels import mirror_problems, panel_problems
 
 # The promise of one model.  `genus` and `borders` are totals over all
 # components; `edge` is the least edge as a share of the model's largest
 # dimension, `angle` the least corner angle in degrees, and `clearance` the
 # least distance of unrelated triangles in model units.  A model that is
 # `starlike` (every face visible from one inner point) cannot intersect
-# itself, which is far quicker to prove than testing pairs of triangles.
-# One with `ribs` has so many edges at which more than two faces meet, and no
-# genus or borders to speak of.
+# itself, which is far quicker to prove than testing pairs of triangles.  A
+# garment falls into `panels` along its groups and marked edges, each a disk,
+# and is its own mirror image.  One with `ribs` has so many edges at which more
+# than two faces meet, and no genus or borders to speak of.
 Promise = namedtuple(
-    "Promise",
-    "faces components genus borders edge angle clearance starlike ribs",
-    defaults=(1, 0, 0, 0.02, 10.0, 0.01, None, 0))
+    "Promise", "faces components genus borders edge angle clearance starlike "
+    "panels mirrored ribs",
+    defaults=(1, 0, 0, 0.02, 10.0, 0.01, None, None, False, 0))
 
 
 class Broken(Exception):
@@ -31,6 +33,10 @@ def check(name, mesh, promise):
         problems = list(topology_problems(mesh, promise))
     if not problems:
         problems = list(space_problems(mesh, promise))
+    if not problems and promise.panels is not None:
+        problems = list(panel_problems(mesh, promise.panels))
+    if not problems and promise.mirrored:
+        problems = list(mirror_problems(mesh))
     if problems:
         raise Broken("%s: %s" % (name, "; ".join(problems)))
     return figures(mesh)

@@ -14,6 +14,7 @@ class Mesh:
         self.faces = []
         self.labels = []
         self.label = Label(name, None, None)
+        self.lines = []        # marked edges, as rows of points
 
     # -- building ---------------------------------------------------------
 
@@ -31,6 +32,10 @@ class Mesh:
     def use(self, **names):
         """Change the object, group or material of the faces that follow."""
         self.label = self.label._replace(**names)
+
+    def mark(self, row):
+        """A seam along these points, where no change of group is one."""
+        self.lines.append(tuple(row))
 
     def fan(self, loop, apex):
         """Triangles from a counter-clockwise loop to one apex."""
@@ -101,15 +106,30 @@ class Mesh:
             label._replace(material=material) if points.issuperset(face)
             else label for face, label in zip(self.faces, self.labels)]
 
-    def mirror_x(self):
-        """Add the mirror image at x = 0; points on the plane are shared."""
+    def mirror_x(self, rename=None):
+        """Add the mirror image at x = 0; points on the plane are shared.
+
+        `rename` makes the name of the image's group from the original's.
+        """
         twin = []
         for i, (x, y, z) in enumerate(list(self.points)):
             twin.append(i if x == 0.0 else self.point((-x, y, z)))
         for face, label in list(zip(self.faces, self.labels)):
             self.faces.append(tuple(twin[i] for i in reversed(face)))
-            self.labels.append(label)
+            self.labels.append(label if rename is None else
+                               label._replace(group=rename(label.group)))
+        for line in list(self.lines):
+            image = tuple(twin[i] for i in line)
+            if image != line:
+                self.lines.append(image)
         return twin
+
+    def sort_groups(self, names):
+        """Faces in the order of their groups, else as they were made."""
+        order = sorted(range(len(self.faces)),
+                       key=lambda k: names.index(self.labels[k].group))
+        self.faces, self.labels = ([self.faces[k] for k in order],
+                                   [self.labels[k] for k in order])
 
     def triangulate(self):
         """Split the quads along the diagonal with the better angles."""
@@ -171,6 +191,7 @@ class Mesh:
         number = {old: new for new, old in enumerate(used)}
         self.points = [self.points[i] for i in used]
         self.faces = [tuple(number[i] for i in f) for f in self.faces]
+        self.lines = [tuple(number[i] for i in r) for r in self.lines]
 
 
 def neighbours(loop):

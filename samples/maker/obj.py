@@ -36,6 +36,8 @@ def object_text(title, mesh, digits, library):
     for p in mesh.points:
         lines.append("v %s\n" % " ".join(number(c, digits) for c in p))
     lines.extend(face_lines(mesh))
+    for row in mesh.lines:
+        lines.append("l %s\n" % " ".join(str(i + 1) for i in row))
     return "".join(lines)
 
 

@@ -10,11 +10,6 @@ from .mesh import Mesh
 
 COLUMNS = 24
 ROWS = 32
-CUFF_ROW, CAP_ROW = 4, 22   # the first rows are the cuff, the last the cap
-
-CUFF = dict(group="cuff", material="sea")
-ARM = dict(group="arm", material="sky")
-CAP_PART = dict(group="cap", material="sea")
 
 LENGTH = 44.0               # from the cuff to the underarm
 CAP = 12.0                  # how far the cap rises above that
@@ -26,9 +21,7 @@ def build():
     panel = Mesh("sleeve")
     rows = [panel.ring([place(c, r) for c in range(COLUMNS + 1)])
             for r in range(ROWS + 1)]
-    for number, (lower, upper) in enumerate(zip(rows, rows[1:])):
-        panel.use(**(CUFF if number < CUFF_ROW else
-                     ARM if number < CAP_ROW else CAP_PART))
+    for lower, upper in zip(rows, rows[1:]):
         panel.strip(lower, upper)
     panel.triangulate()
     return panel

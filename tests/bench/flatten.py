@@ -32,8 +32,8 @@ def main():
 
         done = run(bench, "--methods", "injective,arap", "--repeats", 1, samples / "blouse-front.obj")
         expect(done.returncode == 0 and len(done.stdout.splitlines()) == 3, done)
-        done = run(bench, "--json", out, samples / "fox.obj", samples / "blouse-front.obj", samples / "nothing.obj")
-        expect(done.returncode == 1 and "closed" in done.stderr and "nothing.obj" in done.stderr, done)
+        done = run(bench, "--json", out, samples / "blouse-front.obj", samples / "nothing.obj")
+        expect(done.returncode == 1 and "nothing.obj" in done.stderr, done)
         expect(len(json.loads(out.read_text())) == 3, "what fails is left out")
         for words in ([], ["--repeats", "0", "x"], ["--methods", "arap,lscm", "x"], ["--what", "x", "x"],
                       ["--json", name, "x"]):

@@ -163,6 +163,7 @@ static inline ktg_pattern *flat_panel(ktg_context *context, ktg_mesh *mesh,
     ktg_status status = ktg_flatten(context, mesh, "panel", NULL, &pattern, report);
     assert_string_equal(ktg_context_message(context), "");
     assert_int_equal(status, KTG_OK);
+    ktg_flatten_report_free(report);
     ktg_mesh_free(&mesh);
     return pattern;
 }

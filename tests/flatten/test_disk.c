@@ -1,13 +1,17 @@
 /* What is not a disk is refused, and the message says what it is instead. */
+#include "flatten/kernel.h"
 #include "tests/flatten/panels.h"
 
 #include <string.h>
 
-/* Flattening fails with KTG_GEOMETRY and a message that holds `words`; the mesh is freed. */
+/* It is no panel: KTG_GEOMETRY and a message that holds `words`; the mesh is freed. */
 static void assert_refused(ktg_context *context, ktg_mesh *mesh, const char *words) {
-    ktg_pattern *pattern;
-    assert_int_equal(ktg_flatten(context, mesh, "a", NULL, &pattern, NULL), KTG_GEOMETRY);
-    assert_null(pattern);
+    ktg_panel *panel;
+    ktg_status status = ktg_panel_new(context, mesh, &panel);
+    if (status == KTG_OK)
+        status = ktg_panel_check_disk(context, mesh, panel);
+    assert_int_equal(status, KTG_GEOMETRY);
+    ktg_panel_free(&panel);
     if (!strstr(ktg_context_message(context), words))
         fail_msg("\"%s\" is not in \"%s\"", words, ktg_context_message(context));
     ktg_mesh_free(&mesh);
@@ -90,9 +94,11 @@ static void an_unused_vertex_is_refused(void **state) {
 static void a_face_without_area_is_named(void **state) {
     const ktg_vec3 positions[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.5, 0.5, 1e-12}};
     const uint32_t faces[] = {0, 1, 2, 2, 1, 3};
-    assert_refused(*state, small_mesh(*state, positions, 4, faces, 2), "face 2, at (0, 1, 0),");
+    assert_refused(*state, small_mesh(*state, positions, 4, faces, 2),
+                   "the face at (0, 1, 0) has no area");
     const ktg_vec3 point[] = {{1, 2, 3}, {1, 2, 3}, {1, 2, 3}};
-    assert_refused(*state, small_mesh(*state, point, 3, faces, 1), "face 1, at (1, 2, 3),");
+    assert_refused(*state, small_mesh(*state, point, 3, faces, 1),
+                   "the face at (1, 2, 3) has no area");
 }
 
 static void a_mesh_without_faces_is_refused(void **state) {

@@ -321,7 +321,8 @@ static void few_steps_end_where_many_plain_iterations_do(void **state) {
         double plain = value(&b, KTG_ENERGY_ARAP);
         assert_int_equal(ktg_conformal_start(*state, b.panel, b.rests, b.flat), KTG_OK);
         assert_int_equal(
-            ktg_descend(*state, b.panel, b.rests, KTG_ENERGY_ARAP, b.flat, &iterations), KTG_OK);
+            ktg_descend(*state, b.panel, b.rests, KTG_ENERGY_ARAP, NULL, b.flat, &iterations),
+            KTG_OK);
         assert_true(value(&b, KTG_ENERGY_ARAP) < 1.001 * plain);
         assert_in_range(iterations, 1, 60);
         clear_away(&b);
@@ -336,9 +337,9 @@ static void going_on_brings_little(void **state) {
         assert_int_equal(ktg_convex_start(*state, b.panel, b.rests, b.flat), KTG_OK);
         double energies[8] = {value(&b, KTG_ENERGY_DIRICHLET)};
         for (int i = 1; i < 8; i++) {
-            assert_int_equal(
-                ktg_descend(*state, b.panel, b.rests, KTG_ENERGY_DIRICHLET, b.flat, &iterations),
-                KTG_OK);
+            assert_int_equal(ktg_descend(*state, b.panel, b.rests, KTG_ENERGY_DIRICHLET, NULL,
+                                         b.flat, &iterations),
+                             KTG_OK);
             assert_int_equal(ktg_panel_count_turned_over(b.panel, b.flat), 0);
             energies[i] = value(&b, KTG_ENERGY_DIRICHLET);
             assert_true(energies[i] < (1 + 1e-12) * energies[i - 1]);

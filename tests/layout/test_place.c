@@ -367,6 +367,21 @@ static void an_interrupt_keeps_what_there_is(void **state) {
     ktg_context_set_cancel(context, NULL, NULL);
 }
 
+static void with_a_nap_no_piece_lies_head_down(void **state) {
+    ktg_context *context = *state;
+    ktg_layout_options options = quick_options();
+    ktg_pattern *pattern = make_pattern(context, 6);
+    for (size_t i = 0; i < 6; i++)
+        make_rectangle(context, pattern, i, (ktg_vec2){90, 30 + 5 * (double)i}, 0, 0.4);
+    options.keep_grain = options.nap = true;
+    assert_int_equal(ktg_layout_place(context, pattern, &options, NULL), KTG_OK);
+    assert_well_laid(pattern, 2);
+    for (size_t s = 0; s < pattern->sheet_count; s++)
+        for (size_t i = 0; i < pattern->sheets[s].placement_count; i++)
+            assert_float_equal(pattern->sheets[s].placements[i].rotation, 0, 1e-12);
+    ktg_pattern_free(&pattern);
+}
+
 static void the_grain_is_kept(void **state) {
     ktg_context *context = *state;
     ktg_layout_options options = quick_options();
@@ -484,6 +499,8 @@ int main(void) {
         cmocka_unit_test_setup_teardown(a_roll_is_cut_where_the_pieces_end, make_context,
                                         drop_context),
         cmocka_unit_test_setup_teardown(an_interrupt_keeps_what_there_is, make_context,
+                                        drop_context),
+        cmocka_unit_test_setup_teardown(with_a_nap_no_piece_lies_head_down, make_context,
                                         drop_context),
         cmocka_unit_test_setup_teardown(the_grain_is_kept, make_context, drop_context),
         cmocka_unit_test_setup_teardown(a_piece_too_large_is_told_what_would_fit, make_context,

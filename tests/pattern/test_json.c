@@ -76,8 +76,10 @@ static ktg_pattern *make_pattern(ktg_context *context) {
         piece->face_count = 1;
         piece->faces = ktg_copy_array(context, &i, 1, sizeof i);
         piece->corners = ktg_copy_array(context, order, 3, sizeof *order);
-        piece->cut_count = 1 + i;
+        piece->cut_count = 2 * i;
         piece->cut_mirrored = i;
+        piece->twin_of = 1 - i;
+        piece->on_fold = i == 1;
     }
     ktg_pattern_piece *piece = &p->pieces[1];
     piece->name = ktg_copy_text(context, "left", SIZE_MAX);
@@ -121,6 +123,11 @@ static ktg_pattern *make_pattern(ktg_context *context) {
     p->seams[0].first_side = ktg_copy_array(context, &(uint8_t){1}, 1, 1);
     p->seams[0].pieces[0] = 1;
     p->seams[0].obvious = true;
+    p->seams[0].dart = true;
+    p->seams[0].number = 7;
+    ktg_pattern_notch notches[2] = {{1.0 / 3, 1}, {0.7, 3}};
+    p->seams[0].notch_count = 2;
+    p->seams[0].notches = ktg_copy_array(context, notches, 2, sizeof *notches);
     p->seams[0].lengths_mm[0] = 1.0 / 7;
     p->seams[0].lengths_mm[1] = 1.0 / 7;
     p->sheet_count = 1;
@@ -218,6 +225,9 @@ static void assert_same_piece(const ktg_pattern_piece *a, const ktg_pattern_piec
     }
     assert_int_equal(a->cut_count, b->cut_count);
     assert_int_equal(a->cut_mirrored, b->cut_mirrored);
+    assert_int_equal(a->on_fold, b->on_fold);
+    if (a->cut_count == 0)
+        assert_int_equal(a->twin_of, b->twin_of);
 }
 
 static void assert_same_edge(const ktg_pattern_edge *a, const ktg_pattern_edge *b) {
@@ -238,6 +248,13 @@ static void assert_same_seam(const ktg_pattern_seam *a, const ktg_pattern_seam *
     assert_memory_equal(a->pieces, b->pieces, sizeof a->pieces);
     assert_memory_equal(a->lengths_mm, b->lengths_mm, sizeof a->lengths_mm);
     assert_int_equal(a->obvious, b->obvious);
+    assert_int_equal(a->dart, b->dart);
+    assert_int_equal(a->number, b->number);
+    assert_int_equal(a->notch_count, b->notch_count);
+    for (size_t i = 0; i < a->notch_count; i++) {
+        assert_true(a->notches[i].at == b->notches[i].at);
+        assert_int_equal(a->notches[i].marks, b->notches[i].marks);
+    }
 }
 
 static void assert_same_sheet(const ktg_pattern_sheet *a, const ktg_pattern_sheet *b) {
@@ -398,9 +415,11 @@ static bool may_miss(const char *way) {
     if (strstr(way, ".labels["))
         return !strcmp(key, ".rotation_deg") || !strcmp(key, ".height_mm") ||
                !strcmp(key, ".edge") || !strcmp(key, ".leader");
-    return key && (!strcmp(key, ".size") || !strcmp(key, ".omitted") || !strcmp(key, ".tile") ||
-                   !strcmp(key, ".obvious") || !strcmp(key, ".forced") ||
-                   !strcmp(key, ".face_strain") || !strcmp(key, ".first_side"));
+    return key &&
+           (!strcmp(key, ".size") || !strcmp(key, ".omitted") || !strcmp(key, ".tile") ||
+            !strcmp(key, ".obvious") || !strcmp(key, ".dart") || !strcmp(key, ".number") ||
+            !strcmp(key, ".notches") || !strcmp(key, ".on_fold") || !strcmp(key, ".forced") ||
+            !strcmp(key, ".face_strain") || !strcmp(key, ".first_side"));
 }
 
 static size_t damage_below(fixture *f, const json_t *root, json_t *value, const char *way);

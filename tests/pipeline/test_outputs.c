@@ -164,8 +164,8 @@ static void the_model_is_not_written_over_and_nothing_twice(void **state) {
     }
     bench_no_outputs(b);
     bench_output(b, "x.json");
-    bench_output(b, "x.dxf");
-    bench_refused(b, KTG_ARGUMENT, "x.dxf: no such kind of output");
+    bench_output(b, "x.eps");
+    bench_refused(b, KTG_ARGUMENT, "x.eps: no such kind of output");
     assert_int_equal(bench_count(b), 2);
 }
 

@@ -205,7 +205,7 @@ static void cloth_goes_the_same_way(void **state) {
     b->options.size_mm = 2;
     bench_run(b, &r);
     assert_int_equal(r.pieces, 1);
-    assert_true(r.flatten.strain_max > 0 && r.flatten.strain_max < 0.2);
+    assert_true(r.flatten.whole.strain_max > 0 && r.flatten.whole.strain_max < 0.2);
     ktg_pattern *p = bench_pattern(b, "panel.json");
     assert_int_equal(p->mode, KTG_CLOTH);
     bench_sound(b, p);

@@ -109,8 +109,8 @@ static ktg_pattern *make_strips(ktg_context *context, uint32_t count, double wid
     return pattern;
 }
 
-/* Renders into memory: "pdf" or "contact", or "svg" or "png" of one sheet. Free *bytes with
- * ktg_free. */
+/* Renders into memory: "pdf", "astm" or "contact", or "svg", "dxf" or "png" of one sheet. Free
+ * *bytes with ktg_free. */
 static ktg_status render_bytes(ktg_context *context, const ktg_pattern *pattern, const char *kind,
                                size_t sheet, const ktg_render_options *options, char **bytes,
                                size_t *size) {
@@ -124,8 +124,10 @@ static ktg_status render_bytes(ktg_context *context, const ktg_pattern *pattern,
         status =
             strcmp(kind, "pdf") == 0       ? ktg_render_pdf(context, pattern, options, output)
             : strcmp(kind, "contact") == 0 ? ktg_render_contact(context, pattern, options, output)
-            : strcmp(kind, "svg") == 0 ? ktg_render_svg(context, pattern, sheet, options, output)
-                                       : ktg_render_png(context, pattern, sheet, options, output);
+            : strcmp(kind, "svg") == 0  ? ktg_render_svg(context, pattern, sheet, options, output)
+            : strcmp(kind, "dxf") == 0  ? ktg_render_dxf(context, pattern, sheet, options, output)
+            : strcmp(kind, "astm") == 0 ? ktg_render_astm(context, pattern, options, output)
+                                        : ktg_render_png(context, pattern, sheet, options, output);
     if (status == KTG_OK)
         status = ktg_output_commit(context, &output);
     ktg_output_discard(&output);

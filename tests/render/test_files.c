@@ -159,10 +159,10 @@ static void a_pdf_says_what_it_is(void **state) {
 }
 
 static void the_same_pattern_gives_the_same_bytes(void **state) {
-    static const char *const kinds[] = {"pdf", "svg", "png", "contact"};
+    static const char *const kinds[] = {"pdf", "svg", "png", "contact", "dxf", "astm"};
     ktg_context *context = *state;
     ktg_pattern *pattern = two_on_a4(context);
-    for (size_t k = 0; k < 4; k++) {
+    for (size_t k = 0; k < 6; k++) {
         char *first, *second;
         size_t first_size, second_size;
         assert_int_equal(render_bytes(context, pattern, kinds[k], 1, NULL, &first, &first_size),
@@ -186,14 +186,36 @@ static void an_svg_is_in_millimetres(void **state) {
     assert_non_null(strstr(bytes, "width=\"215.9mm\" height=\"279.4mm\""));
     assert_non_null(strstr(bytes, "viewBox=\"0 0 215.9 279.4\""));
     /* The outline, one closed path: (120, 0) of the piece lies at (160, 79.4) of the page. */
-    const char *outline = strstr(bytes, "d=\"M 40 79.39");
+    const char *outline = strstr(bytes, "d=\"M40 79.4");
     assert_non_null(outline);
-    const char *end = strchr(outline + 3, '"'), *tip = strstr(outline, "L 165 74.39");
+    const char *end = strchr(outline + 3, '"'), *tip = strstr(outline, "L165 74.4");
     assert_true(tip && tip < end);
     assert_true(memmem(outline, (size_t)(end - outline), " Z", 2) != NULL);
-    /* Seven points, but one lies on the line between its neighbours. */
-    assert_int_equal(count_text(outline, (size_t)(end - outline), "L "), 5);
+    assert_int_equal(count_text(outline, (size_t)(end - outline), "L"), 6);
+    assert_int_equal(count_text(bytes, size, "inkscape:groupmode=\"layer\""), 7);
     assert_non_null(strstr(bytes, "</svg>"));
+    ktg_free(bytes);
+    ktg_pattern_free(&pattern);
+}
+
+/* Groups of a DXF: a code and a value, a line each. */
+static void a_dxf_says_its_text_so_that_all_can_read_it(void **state) {
+    ktg_context *context = *state;
+    ktg_render_options options;
+    ktg_render_defaults(&options);
+    options.title = "a%%d ^J\n\xc3\xbc\xf0\x9f\xa6\x8a";
+    ktg_pattern *pattern = two_on_a4(context);
+    char *bytes;
+    size_t size;
+    assert_int_equal(render_bytes(context, pattern, "dxf", 0, &options, &bytes, &size), KTG_OK);
+    assert_non_null(strstr(bytes, "\r\n  1\r\na%%%%d ^ J \\U+00FC? - sheet 1 of 2 - "));
+    assert_non_null(strstr(bytes, "  9\r\n$ACADVER\r\n  1\r\nAC1009\r\n"));
+    assert_int_equal(count_text(bytes, size, "POLYLINE\r\n  8\r\nCUT\r\n"), 1);
+    ktg_free(bytes);
+    assert_int_equal(render_bytes(context, pattern, "astm", 0, &options, &bytes, &size), KTG_OK);
+    assert_non_null(strstr(bytes, "Style Name: a%%%%d ^ J ??\r\n"));
+    assert_int_equal(count_text(bytes, size, "  0\r\nBLOCK\r\n"), 2);
+    assert_non_null(strstr(bytes, "  2\r\nSTRIP_2\r\n"));
     ktg_free(bytes);
     ktg_pattern_free(&pattern);
 }
@@ -316,6 +338,8 @@ static void a_full_disk_is_told(void **state) {
         ktg_status status = kind == 0   ? ktg_render_pdf(context, pattern, &options, output)
                             : kind == 1 ? ktg_render_svg(context, pattern, 0, &options, output)
                                         : ktg_render_png(context, pattern, 0, &options, output);
+        if (status == KTG_OK) /* it fits a buffer */
+            status = ktg_output_commit(context, &output);
         assert_int_equal(status, KTG_FILE);
         assert_non_null(strstr(ktg_context_message(context), "/dev/full"));
         ktg_output_discard(&output);
@@ -324,10 +348,10 @@ static void a_full_disk_is_told(void **state) {
 }
 
 static void short_memory_is_survived(void **state) {
-    static const char *const kinds[] = {"pdf", "svg", "png", "contact"};
+    static const char *const kinds[] = {"pdf", "svg", "png", "contact", "dxf", "astm"};
     ktg_context *context = *state;
     ktg_pattern *pattern = two_on_a4(context);
-    for (size_t k = 0; k < 4; k++) {
+    for (size_t k = 0; k < 6; k++) {
         ktg_status status = KTG_MEMORY;
         for (uint64_t nth = 1; status != KTG_OK && nth < 200; nth++) {
             char *bytes;
@@ -372,6 +396,8 @@ int main(void) {
         cmocka_unit_test_setup_teardown(the_same_pattern_gives_the_same_bytes, make_context,
                                         drop_context),
         cmocka_unit_test_setup_teardown(an_svg_is_in_millimetres, make_context, drop_context),
+        cmocka_unit_test_setup_teardown(a_dxf_says_its_text_so_that_all_can_read_it, make_context,
+                                        drop_context),
         cmocka_unit_test_setup_teardown(any_title_will_do, make_context, drop_context),
         cmocka_unit_test_setup_teardown(one_picture_shows_all_sheets, make_context, drop_context),
         cmocka_unit_test_setup_teardown(what_cannot_be_drawn_is_refused, make_context,

@@ -1,0 +1,110 @@
+/* Patterns of cloth pass; each kind of damage is refused with its reason. */
+#include "tests/pattern/cloth.h"
+#include "verify/verify.h"
+
+static int make_context(void **state) {
+    return ktg_context_new((ktg_context **)state);
+}
+
+static int drop_context(void **state) {
+    ktg_context_free((ktg_context **)state);
+    return 0;
+}
+
+static ktg_pattern *finished(ktg_context *context, ktg_pattern *p, const char *on_fold) {
+    ktg_finish_options options;
+    ktg_finish_defaults(&options);
+    options.on_fold = &on_fold;
+    options.on_fold_count = on_fold ? 1 : 0;
+    assert_int_equal(ktg_pattern_finish(context, p, &options, NULL), KTG_OK);
+    return p;
+}
+
+/* Verifies and frees the pattern; `words`: what the refusal must say, NULL: none. */
+static void check(ktg_context *context, ktg_pattern *p, const char *words) {
+    ktg_status status = ktg_verify(context, p, NULL, NULL);
+    const char *message = ktg_context_message(context);
+    if (words ? status != KTG_UNSOUND || !strstr(message, words) : status != KTG_OK)
+        fail_msg("\"%s\" instead of \"%s\"", message, words ? words : "sound");
+    ktg_pattern_free(&p);
+}
+
+static void what_was_made_is_sound(void **state) {
+    check(*state, finished(*state, cloth_oblongs(*state), NULL), NULL);
+    check(*state, finished(*state, cloth_with_dart(*state), NULL), NULL);
+    check(*state, finished(*state, cloth_with_dart(*state), "skirt"), NULL);
+}
+
+static void a_cutting_line_that_crosses_itself_is_refused(void **state) {
+    ktg_pattern *p = finished(*state, cloth_oblongs(*state), NULL);
+    ktg_vec2 swap = p->pieces[0].outline[1];
+    ktg_vec2 *grown = ktg_new(*state, 6, ktg_vec2); /* a loop outside the first corner */
+    for (int i = 0; i < 4; i++)
+        grown[i + 2] = p->pieces[0].outline[(i + 1) % 4];
+    grown[0] = ktg_add2(p->pieces[0].outline[0], (ktg_vec2){-50, -50});
+    grown[1] = ktg_add2(swap, (ktg_vec2){-50, 60});
+    free(p->pieces[0].outline);
+    p->pieces[0].outline = grown;
+    p->pieces[0].outline_count = 6;
+    ktg_vec2 held = grown[1];
+    grown[1] = grown[3];
+    grown[3] = held;
+    check(*state, p, "cutting line of piece 1 crosses itself");
+}
+
+static void cloth_outside_its_cutting_line_is_refused(void **state) {
+    ktg_pattern *p = finished(*state, cloth_oblongs(*state), NULL);
+    for (int i = 0; i < 4; i++)
+        p->pieces[0].outline[i].x += 40;
+    check(*state, p, "reaches over its cutting line");
+}
+
+static void a_notch_without_its_mark_is_refused(void **state) {
+    ktg_pattern *p = finished(*state, cloth_oblongs(*state), NULL);
+    p->seams[0].notches[1].at += 0.01; /* 6 mm away */
+    check(*state, p, "Seam 1 has no mark in piece 1");
+    p = finished(*state, cloth_oblongs(*state), NULL);
+    p->seams[0].notches[0].marks = 2;
+    check(*state, p, "Seam 1 has no mark");
+    p = finished(*state, cloth_oblongs(*state), NULL);
+    p->seams[0].notches[0].at = 1.5;
+    check(*state, p, "makes no sense");
+}
+
+static void twins_that_differ_are_refused(void **state) {
+    ktg_pattern *p = finished(*state, cloth_oblongs(*state), NULL);
+    assert_int_equal(p->pieces[1].cut_count, 0);
+    for (size_t i = 0; i < p->pieces[0].line_count; i++)
+        if (p->pieces[0].lines[i].kind == KTG_LINE_SEW)
+            p->pieces[0].lines[i].points[3].x -= 5;
+    check(*state, p, "are cut as one, but their shapes differ");
+    p = finished(*state, cloth_oblongs(*state), NULL);
+    p->pieces[0].cut_mirrored = 0;
+    check(*state, p, "cut less often than it has twins");
+    p = finished(*state, cloth_oblongs(*state), NULL);
+    p->pieces[1].twin_of = 1;
+    check(*state, p, "cut with a piece that is not cut");
+}
+
+static void half_a_piece_needs_its_fold(void **state) {
+    ktg_pattern *p = finished(*state, cloth_with_dart(*state), "skirt");
+    for (size_t i = 0; i < p->pieces[0].line_count; i++)
+        if (p->pieces[0].lines[i].kind == KTG_LINE_FOLD)
+            p->pieces[0].lines[i].kind = KTG_LINE_INTERNAL;
+    check(*state, p, "a fold that is not drawn");
+    p = finished(*state, cloth_with_dart(*state), "skirt");
+    p->pieces[0].on_fold = false;
+    check(*state, p, "encloses");
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_was_made_is_sound),
+        cmocka_unit_test(a_cutting_line_that_crosses_itself_is_refused),
+        cmocka_unit_test(cloth_outside_its_cutting_line_is_refused),
+        cmocka_unit_test(a_notch_without_its_mark_is_refused),
+        cmocka_unit_test(twins_that_differ_are_refused),
+        cmocka_unit_test(half_a_piece_needs_its_fold),
+    };
+    return cmocka_run_group_tests_name("verify/cloth", tests, make_context, drop_context);
+}
