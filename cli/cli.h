@@ -35,7 +35,8 @@ typedef struct settings {
     char grain_panels[CLI_MOST_OUTPUTS][64]; /* what their names are */
     const char *fabric_text;                 /* woven, knit, or a file */
     ktg_fabric fabric;
-    const char *arguments[2]; /* what is not an option */
+    const char *sets, *preview; /* what deform writes beside the model, or NULL */
+    const char *arguments[2];   /* what is not an option */
     int argument_count;
     bool faces_given, oversize_given;
     const char *size_given; /* the option that said how large it becomes */
@@ -46,7 +47,14 @@ typedef struct settings {
 } settings;
 
 /* Which commands know an option. */
-enum { CMD_UNFOLD = 1, CMD_FLATTEN = 2, CMD_SIMPLIFY = 4, CMD_INFO = 8, CMD_VERIFY = 16 };
+enum {
+    CMD_UNFOLD = 1,
+    CMD_FLATTEN = 2,
+    CMD_SIMPLIFY = 4,
+    CMD_INFO = 8,
+    CMD_VERIFY = 16,
+    CMD_DEFORM = 32
+};
 
 /* Reads the command line of one command (argv[0] is its name). False, with a sentence on standard
  * error, when it is not right: the exit code is EXIT_USAGE then. */
@@ -99,6 +107,9 @@ void cli_print_lines(FILE *stream, const char *text);
 
 /* ---- commands (cli/command_*.c) ----------------------------------------------------------- */
 
+/* True when both paths name one file, or would. */
+bool cli_same_file(const char *a, const char *b);
+
 /* What every command does around its work: reads the options, shows the help (`usage`, then the
  * options), makes a context, calls `run`, tells a failure. */
 exit_code cli_run(int argc, char **argv, int command, int most_arguments, const char *usage,
@@ -106,6 +117,7 @@ exit_code cli_run(int argc, char **argv, int command, int most_arguments, const 
 
 exit_code command_unfold(int argc, char **argv);
 exit_code command_flatten(int argc, char **argv);
+exit_code command_deform(int argc, char **argv);
 exit_code command_simplify(int argc, char **argv);
 exit_code command_info(int argc, char **argv);
 exit_code command_verify(int argc, char **argv);

@@ -91,7 +91,7 @@ static const char *path_at(const ktg_pipeline_options *options, size_t i) {
     return i == options->output_count ? options->report : NULL;
 }
 
-/* The files of edges are somebody's work, too. */
+/* The files of edges, and the edit, are somebody's work, too. */
 static bool names_edges(const ktg_pipeline_options *options, const char *path) {
     for (size_t i = 0; i < options->keep_count; i++)
         if (same_file(path, options->keep[i]))
@@ -116,6 +116,9 @@ ktg_status ktg_outputs_check(ktg_context *context, const ktg_pipeline_options *o
         if (strcmp(path, "-") != 0 && names_edges(options, path))
             return ktg_fail(context, KTG_ARGUMENT,
                             "%s: is a file of edges to be read; name another output", path);
+        if (strcmp(path, "-") != 0 && options->edit && same_file(path, options->edit))
+            return ktg_fail(context, KTG_ARGUMENT,
+                            "%s: is the edit file to be read; name another output", path);
         for (size_t j = 0; j < i; j++)
             if (same_file(path, options->outputs[j]))
                 return ktg_fail(context, KTG_ARGUMENT,

@@ -1,6 +1,6 @@
 /* pipeline/report.c - the figures of a run as JSON. */
 #include "core/memory.h"
-#include "pipeline/pipeline.h"
+#include "pipeline/stages.h"
 
 #include <inttypes.h>
 
@@ -153,6 +153,8 @@ ktg_status ktg_pipeline_write_report(ktg_context *context, const ktg_pipeline_op
     KTG_TRY(ktg_output_print(context, output, "{\n  \"mode\": \"%s\"", paper ? "paper" : "cloth"));
     KTG_TRY(put_seed(context, output));
     KTG_TRY(put_figures(context, output, figures, sizeof figures / sizeof *figures));
+    if (options->edit)
+        KTG_TRY(ktg_pipeline_put_deform(context, output, &r->deform, "deform_"));
     KTG_TRY(paper ? put_paper(context, output, r) : put_cloth(context, output, r));
     if (!paper && pattern)
         KTG_TRY(put_seams(context, output, pattern));
