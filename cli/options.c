@@ -447,8 +447,8 @@ static const option_line lines[] = {
     {"cut", 0, "FILE", CMD_FLATTEN, set_cut,
      "edges that are seams: lines of vertex numbers, or OBJ l elements"},
     {"seams", 0, "LIST", CMD_FLATTEN, cli_set_seams,
-     "where seams are: objects,groups,materials,marked,uv,crease,auto (the first four; auto where "
-     "they give none and the model is no disk)"},
+     "where seams are: objects,groups,materials,marked,uv,crease,components,auto (the first four; "
+     "auto where they give none and the model is no disk)"},
     {"crease", 0, "DEGREES", CMD_FLATTEN, cli_set_crease,
      "for --seams crease: edges at which the surface turns by so much (40)"},
     {"max-strain", 0, "PERCENT", CMD_FLATTEN, cli_set_max_strain,

@@ -26,6 +26,7 @@ static const struct {
                   {"marked", KTG_SEAMS_MARKED},
                   {"uv", KTG_SEAMS_UV},
                   {"crease", KTG_SEAMS_CREASE},
+                  {"components", KTG_SEAMS_GROUPS},
                   {"auto", KTG_SEAMS_AUTO}};
 
 /* One word of the list, `length` bytes. */
@@ -33,6 +34,7 @@ static bool add_seams(settings *s, const char *word, size_t length) {
     for (size_t k = 0; k < sizeof seam_words / sizeof *seam_words; k++)
         if (strlen(seam_words[k].word) == length && memcmp(seam_words[k].word, word, length) == 0) {
             s->pipeline.flatten.seams |= seam_words[k].flag;
+            s->pipeline.part_groups |= strcmp(seam_words[k].word, "components") == 0;
             return true;
         }
     return false;

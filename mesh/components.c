@@ -171,3 +171,24 @@ ktg_status ktg_mesh_component_names(ktg_context *context, const ktg_mesh *mesh,
         ktg_names_free(names);
     return status;
 }
+
+ktg_status ktg_mesh_group_components(ktg_context *context, ktg_mesh *mesh, const char *fallback) {
+    ktg_adjacency *adjacency = NULL;
+    ktg_names names = {0};
+    uint32_t *component = NULL, count = 0;
+    ktg_status status = ktg_adjacency_new(context, mesh, &adjacency);
+    if (status == KTG_OK)
+        status = ktg_mesh_components(context, mesh, adjacency, &component, &count);
+    if (status == KTG_OK)
+        status = ktg_mesh_component_names(context, mesh, component, count, fallback, &names);
+    ktg_adjacency_free(&adjacency);
+    if (status != KTG_OK) {
+        ktg_free(component);
+        return status;
+    }
+    ktg_names_free(&mesh->groups);
+    ktg_free(mesh->face_group);
+    mesh->groups = names;
+    mesh->face_group = component;
+    return KTG_OK;
+}

@@ -156,6 +156,12 @@ KTG_API KTG_NODISCARD ktg_status ktg_mesh_component_names(ktg_context *context,
                                                           const char *fallback, ktg_names *names);
 KTG_API void ktg_names_free(ktg_names *names);
 
+/* Makes each connected component a group of its own, named as above, in place of the mesh's groups:
+ * what is apart in a file can be told apart after ktg_mesh_repair has joined it. On failure the
+ * mesh is as it was. */
+KTG_API KTG_NODISCARD ktg_status ktg_mesh_group_components(ktg_context *context, ktg_mesh *mesh,
+                                                           const char *fallback);
+
 /* ---- checking and repair ------------------------------------------------------------------ */
 
 /* What a mesh is and what is wrong with it. Counts refer to the mesh as it is, except

@@ -63,6 +63,10 @@ typedef struct ktg_pipeline_options {
     const char *const *omit; /* omit_count groups, objects or materials whose faces are left out */
     size_t keep_count, cut_count, omit_count;
 
+    bool
+        part_groups; /* cloth: each connected part of the model, as it was read, becomes a group, so
+                        that seams of KTG_SEAMS_GROUPS are between parts that the repair joins */
+
     ktg_size_rule size_rule;
     double size_mm;
     uint32_t sheets;   /* with KTG_SIZE_FIT: how many it may take; 1 */

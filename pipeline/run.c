@@ -74,6 +74,8 @@ static ktg_status simplify(ktg_context *context, const ktg_pipeline_options *opt
 static ktg_status repair(ktg_context *context, const ktg_pipeline_options *options, ktg_mesh *mesh,
                          ktg_pipeline_report *report) {
     KTG_TRY(ktg_mesh_check(context, mesh, false, &report->model));
+    if (options->part_groups && options->mode == KTG_CLOTH)
+        KTG_TRY(ktg_mesh_group_components(context, mesh, "part"));
     ktg_progress(context, "repair", 0, NULL);
     KTG_TRY(ktg_mesh_repair(context, mesh, &report->repair));
     tell_repair(context, &report->repair);
