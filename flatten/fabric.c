@@ -30,20 +30,31 @@ ktg_status ktg_fabric_named(ktg_context *context, const char *name, ktg_fabric *
                     "\"%s\" is no fabric that is known: woven or knit, or a file", name);
 }
 
+/* How much of what is borne is asked for; what is not borne at all counts as a millionth. */
+static double load_of(double amount, double most) {
+    return fmax(0, amount) / fmax(most, 1e-6);
+}
+
 /* The inverse of the map takes the grain, +y, and what crosses it, +x, back to the face in space.
  */
-bool ktg_fabric_bears(const ktg_fabric *fabric, const ktg_face_map *map) {
+double ktg_fabric_load(const ktg_fabric *fabric, const ktg_face_map *map) {
     ktg_vec2 a = map->columns[0], b = map->columns[1];
     double determinant = ktg_cross2(a, b);
     if (!(determinant > 0))
-        return false;
+        return INFINITY;
     ktg_vec2 across = ktg_mul2((ktg_vec2){b.y, -a.y}, 1 / determinant);
     ktg_vec2 along = ktg_mul2((ktg_vec2){-b.x, a.x}, 1 / determinant);
     double by_along = ktg_length2(along) - 1, by_across = ktg_length2(across) - 1;
     double shear = fabs(atan2(ktg_dot2(along, across), ktg_cross2(across, along)));
-    return by_along <= fabric->stretch_along && by_along >= -fabric->shrink_along &&
-           by_across <= fabric->stretch_across && by_across >= -fabric->shrink_across &&
-           shear <= fabric->shear;
+    double stretch =
+        fmax(load_of(by_along, fabric->stretch_along), load_of(by_across, fabric->stretch_across));
+    double shrink =
+        fmax(load_of(-by_along, fabric->shrink_along), load_of(-by_across, fabric->shrink_across));
+    return fmax(fmax(stretch, shrink), load_of(shear, fabric->shear));
+}
+
+bool ktg_fabric_bears(const ktg_fabric *fabric, const ktg_face_map *map) {
+    return ktg_fabric_load(fabric, map) <= 1;
 }
 
 /* ---- files -------------------------------------------------------------------------------- */

@@ -23,16 +23,33 @@ static double excess_of(double strain, double limit) {
     return ktg_min(most_excess, log2(ktg_max(1, strain / (counts_from * limit))));
 }
 
+/* The map seen with the grain, `up`, along +y. */
+static ktg_face_map upright(ktg_face_map map, ktg_vec2 up) {
+    for (int k = 0; k < 2; k++)
+        map.columns[k] = (ktg_vec2){ktg_cross2(map.columns[k], up), ktg_dot2(map.columns[k], up)};
+    return map;
+}
+
+/* A face's strain; with a fabric, so that its limit is max_strain. */
+static double strain_of(const ktg_face_map *map, const ktg_fit_limit *limit, ktg_vec2 up) {
+    if (!limit->fabric)
+        return ktg_max(fabs(map->s1 - 1), fabs(map->s2 - 1));
+    ktg_face_map turned = upright(*map, up);
+    return limit->max_strain * ktg_fabric_load(limit->fabric, &turned);
+}
+
 /* A face that is turned over is as wrong as can be. */
-static void add_up(const ktg_panel *panel, const ktg_vec2 *flat, double limit, ktg_fit *fit) {
+static void add_up(const ktg_panel *panel, const ktg_vec2 *flat, const ktg_fit_limit *limit,
+                   ktg_fit *fit) {
+    ktg_vec2 up = limit->fabric ? ktg_panel_upward(panel, flat, limit->up) : (ktg_vec2){0, 1};
     *fit = (ktg_fit){0};
     for (uint32_t k = 0; k < panel->face_count; k++) {
         ktg_face_map map = ktg_face_map_of(panel, k, flat);
-        double strain = ktg_max(fabs(map.s1 - 1), fabs(map.s2 - 1));
+        double strain = strain_of(&map, limit, up);
         bool folded = !(map.s2 > 0) || !(strain < INFINITY);
         fit->area += map.area;
-        fit->excess += map.area * (folded ? most_excess : excess_of(strain, limit));
-        if (folded || strain > limit)
+        fit->excess += map.area * (folded ? most_excess : excess_of(strain, limit->max_strain));
+        if (folded || strain > limit->max_strain)
             fit->beyond += map.area;
     }
     fit->beyond /= fit->area;
@@ -72,7 +89,7 @@ static ktg_status find_soundness(ktg_context *context, const ktg_panel *panel, c
 
 ktg_status ktg_fit_of_flat(ktg_context *context, const ktg_panel *panel, const ktg_vec2 *flat,
                            const ktg_fit_limit *limit, ktg_fit *fit) {
-    add_up(panel, flat, limit->max_strain, fit);
+    add_up(panel, flat, limit, fit);
     KTG_TRY(find_waste(context, panel, flat, fit));
     return find_soundness(context, panel, flat, limit, fit);
 }
@@ -117,7 +134,7 @@ static ktg_status measure(ktg_context *context, const ktg_mesh *mesh, fitting *f
     if (status == KTG_GEOMETRY) /* too long and thin for the digits: cut on */
         for (uint32_t v = 0; v < f->panel->vertex_count; v++)
             f->flat[v] = (ktg_vec2){0, 0};
-    add_up(f->panel, f->flat, f->limit->max_strain, fit);
+    add_up(f->panel, f->flat, f->limit, fit);
     KTG_TRY(find_waste(context, f->panel, f->flat, fit));
     if (!f->limit->thorough && fit->beyond > 2 * (1 - f->limit->area_part))
         return KTG_OK;

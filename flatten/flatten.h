@@ -52,7 +52,8 @@ enum {
     KTG_SEAMS_MARKED = 8,    /* marked edges (OBJ l elements, or a file of edges) */
     KTG_SEAMS_UV = 16,       /* where texture coordinates jump: borders of UV islands */
     KTG_SEAMS_CREASE = 32,   /* edges where the surface turns by `crease` or more */
-    KTG_SEAMS_AUTO = 64      /* after these, where panels would strain beyond the limit */
+    KTG_SEAMS_AUTO = 64 /* after these, where panels would strain beyond the limit, or more than
+                           the fabric bears */
 };
 
 /* A panel whose grain runs otherwise than upright. */

@@ -169,13 +169,18 @@ KTG_NODISCARD ktg_status ktg_panel_check_overlap(ktg_context *context, const ktg
 
 /* ---- upright.c ---------------------------------------------------------------------------- */
 
+/* The direction of the flat panel, a unit vector, that is to point to +y. */
+ktg_vec2 ktg_panel_upward(const ktg_panel *panel, const ktg_vec2 *flat, unsigned axis);
+
 /* Turns `flat` upright, by the model's axis (0 x, 1 y, 2 z), and `grain` radians back, so that a
  * grain at that angle points to +y, and moves its box to the origin. */
 void ktg_panel_set_upright(const ktg_panel *panel, ktg_vec2 *flat, unsigned axis, double grain);
 
 /* ---- fabric.c ----------------------------------------------------------------------------- */
 
-/* Whether the fabric, grain along +y, takes the shape of the face in space. */
+/* Whether the fabric, grain along +y, takes the shape of the face in space; and how much of what it
+ * bears that asks for: 1 is the limit. */
+double ktg_fabric_load(const ktg_fabric *fabric, const ktg_face_map *map);
 bool ktg_fabric_bears(const ktg_fabric *fabric, const ktg_face_map *map);
 
 #endif

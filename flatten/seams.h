@@ -10,6 +10,9 @@
 #include "mesh/mesh.h"
 
 typedef struct ktg_seams_auto_options {
+    const struct ktg_fabric
+        *fabric;       /* what it bears, grain upright, in place of max_strain; NULL */
+    unsigned up;       /* the axis of the model that is upright: 0 x, 1 y, 2 z; default 1 */
     double max_strain; /* that a panel may have on ... ; default 0.05 */
     double area_part;  /* ... this part of its area; default 0.95 */
     bool symmetric;    /* look for a mirror plane, and cut both sides alike; default true */

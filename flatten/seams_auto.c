@@ -150,7 +150,7 @@ static ktg_status run_search(ktg_context *context, const ktg_mesh *mesh, ktg_sea
 
 void ktg_seams_auto_defaults(ktg_seams_auto_options *options) {
     *options = (ktg_seams_auto_options){
-        .max_strain = 0.05, .area_part = 0.95, .symmetric = true, .slide = true};
+        .max_strain = 0.05, .area_part = 0.95, .symmetric = true, .slide = true, .up = 1};
 }
 
 ktg_status ktg_seams_auto(ktg_context *context, const ktg_mesh *mesh,
@@ -165,7 +165,8 @@ ktg_status ktg_seams_auto(ktg_context *context, const ktg_mesh *mesh,
         return ktg_fail(context, KTG_ARGUMENT,
                         "a limit of strain for seams is more than 0, and the part of the area that "
                         "it is for more than 0 and at most 1");
-    s.limit = (ktg_fit_limit){.max_strain = s.options->max_strain};
+    s.limit = (ktg_fit_limit){
+        .max_strain = s.options->max_strain, .fabric = s.options->fabric, .up = s.options->up};
     s.mesh.vertex_count = mesh->vertex_count;
     s.mesh.face_count = mesh->face_count;
     s.mesh.faces = mesh->faces;

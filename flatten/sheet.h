@@ -153,6 +153,8 @@ typedef struct ktg_fit {
 /* What the limit is, and what has been spent; one for each thread. */
 typedef struct ktg_fit_limit {
     double max_strain, area_part;
+    const ktg_fabric *fabric; /* or NULL; then what it bears takes the place of max_strain */
+    unsigned up;              /* the axis of the model that its grain follows */
     bool thorough; /* find out whether it is flat even where it is far beyond the limit */
     uint64_t work; /* faces laid flat, added to */
 } ktg_fit_limit;

@@ -44,6 +44,8 @@ static ktg_status choose_seams(ktg_context *context, ktg_flat_surface *s) {
     ktg_seams_auto_defaults(&options);
     options.max_strain = s->options->strain_limit;
     options.area_part = s->area_part;
+    options.fabric = s->options->fabric;
+    options.up = s->options->up;
     ktg_status status = given ? KTG_OK : KTG_MEMORY;
     if (status == KTG_OK)
         status = ktg_seams_auto(context, s->mesh, s->adjacency, &options, s->cut, &chosen);

@@ -21,7 +21,7 @@ static ktg_vec2 image_of_direction(const ktg_panel *panel, const ktg_vec2 *flat,
 /* The direction of the flat panel that is to point up: the model's upright axis; of a panel that
  * lies (or a dome, whose sides cancel) away from one who looks down from above; of one that lies in
  * that direction too, sideways. */
-static ktg_vec2 upward(const ktg_panel *panel, const ktg_vec2 *flat, unsigned up) {
+ktg_vec2 ktg_panel_upward(const ktg_panel *panel, const ktg_vec2 *flat, unsigned up) {
     static const ktg_vec3 directions[3][3] = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                                               {{0, 1, 0}, {0, 0, -1}, {1, 0, 0}},
                                               {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}}};
@@ -34,7 +34,7 @@ static ktg_vec2 upward(const ktg_panel *panel, const ktg_vec2 *flat, unsigned up
 }
 
 void ktg_panel_set_upright(const ktg_panel *panel, ktg_vec2 *flat, unsigned axis, double grain) {
-    ktg_vec2 upright = upward(panel, flat, axis), low = {INFINITY, INFINITY};
+    ktg_vec2 upright = ktg_panel_upward(panel, flat, axis), low = {INFINITY, INFINITY};
     ktg_vec2 up = {cos(grain) * upright.x - sin(grain) * upright.y,
                    sin(grain) * upright.x + cos(grain) * upright.y};
     for (uint32_t v = 0; v < panel->vertex_count; v++) {

@@ -244,6 +244,28 @@ static void a_fabric_bears_what_it_says(void **state) {
     assert_false(bears(&fabric, 1, 1, 11 * KTG_PI / 180));
 }
 
+/* The same dome wants more cuts of cloth that gives less, and each panel bears what is left. */
+static void chosen_seams_suit_the_fabric(void **state) {
+    static const ktg_fabric fabrics[] = {{0.3, 0.3, 0.3, 0.3, 1}, {0.02, 0.02, 0.02, 0.02, 0.04}};
+    ktg_mesh *mesh = grid_panel(*state, dome, 2 * SIDE);
+    ktg_flatten_options options;
+    uint32_t seam_edges[2];
+    ktg_flatten_defaults(&options);
+    options.seams = KTG_SEAMS_AUTO;
+    for (int k = 0; k < 2; k++) {
+        ktg_flatten_report report;
+        options.fabric = &fabrics[k];
+        ktg_pattern *pattern = flatten(*state, mesh, &options, &report);
+        seam_edges[k] = report.seam_edges;
+        assert_int_equal(report.panels_beyond, 0);
+        ktg_flatten_report_free(&report);
+        ktg_pattern_free(&pattern);
+    }
+    assert_int_equal(seam_edges[0], 0);
+    assert_true(seam_edges[1] > 0);
+    ktg_mesh_free(&mesh);
+}
+
 /* ---- memory ------------------------------------------------------------------------------- */
 
 static void every_failing_allocation_is_survived(void **state) {
@@ -274,6 +296,7 @@ int main(void) {
         TEST(seams_that_fit_leave_panels_alone),
         TEST(grain_turns_a_panel),
         TEST(a_fabric_bears_what_it_says),
+        TEST(chosen_seams_suit_the_fabric),
         TEST(every_failing_allocation_is_survived),
     };
     return cmocka_run_group_tests_name("flatten/surface", tests, NULL, NULL);
