@@ -31,7 +31,7 @@ static ktg_status check_flat(ktg_context *context, const ktg_shape *s, const ktg
                             "the shape is not flat: z is not the same at all vertices; flatten it "
                             "first");
     for (uint32_t f = 0; f < rest->face_count; f++)
-        if (signed_area(s->mesh, f) * s->side <= 0)
+        if (!(signed_area(s->mesh, f) > 0))
             return ktg_fail(context, KTG_GEOMETRY,
                             "face %u of the shape lies upside down: the shape is folded over",
                             f + 1);
