@@ -38,6 +38,9 @@ typedef struct settings {
     const char *arguments[2]; /* what is not an option */
     int argument_count;
     bool faces_given, oversize_given;
+    const char *handles; /* of warp: a file */
+    ktg_warp_options warp;
+    bool sheet_given, allowance_given, hem_given, notch_given;
     const char *size_given; /* the option that said how large it becomes */
     char complaint[256];    /* why a value was refused, where its option knows more than its form */
     uint64_t seed;
@@ -46,7 +49,14 @@ typedef struct settings {
 } settings;
 
 /* Which commands know an option. */
-enum { CMD_UNFOLD = 1, CMD_FLATTEN = 2, CMD_SIMPLIFY = 4, CMD_INFO = 8, CMD_VERIFY = 16 };
+enum {
+    CMD_UNFOLD = 1,
+    CMD_FLATTEN = 2,
+    CMD_SIMPLIFY = 4,
+    CMD_INFO = 8,
+    CMD_VERIFY = 16,
+    CMD_WARP = 64
+};
 
 /* Reads the command line of one command (argv[0] is its name). False, with a sentence on standard
  * error, when it is not right: the exit code is EXIT_USAGE then. */
@@ -109,5 +119,6 @@ exit_code command_flatten(int argc, char **argv);
 exit_code command_simplify(int argc, char **argv);
 exit_code command_info(int argc, char **argv);
 exit_code command_verify(int argc, char **argv);
+exit_code command_warp(int argc, char **argv);
 
 #endif

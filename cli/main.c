@@ -10,6 +10,7 @@ static const char usage[] =
     "  unfold MODEL          a paper net with glue tabs, on sheets to be printed\n"
     "  flatten MODEL         a cloth pattern with seams, allowances and notches\n"
     "  simplify MODEL        the model with fewer faces\n"
+    "  warp SHAPE            a flat shape or a piece of a pattern, moved by a few points\n"
     "  info MODEL            what is in a model, and what is wrong with it\n"
     "  verify PATTERN.json   proves a pattern, or says why it is not sound\n\n"
     "katagami COMMAND --help tells more; katagami --version.\n";
@@ -17,11 +18,9 @@ static const char usage[] =
 static const struct {
     const char *name;
     exit_code (*run)(int argc, char **argv);
-} commands[] = {{"unfold", command_unfold},
-                {"flatten", command_flatten},
-                {"simplify", command_simplify},
-                {"info", command_info},
-                {"verify", command_verify}};
+} commands[] = {{"unfold", command_unfold},     {"flatten", command_flatten},
+                {"simplify", command_simplify}, {"info", command_info},
+                {"verify", command_verify},     {"warp", command_warp}};
 
 /* Words on standard output count only when they got there. */
 static exit_code flushed(exit_code code) {

@@ -237,6 +237,29 @@ KTG_API KTG_NODISCARD ktg_status ktg_handles_read(ktg_context *context, const ch
                                                   const ktg_shape *shape, ktg_handle_list *list);
 KTG_API void ktg_handle_list_free(ktg_handle_list *list);
 
+/* How a mesh is warped by a file of handles. */
+typedef struct ktg_warp_options {
+    ktg_edge_weight weight; /* cotangents (default), or 1 as in the paper */
+    uint32_t refine;        /* rounds of refinement; KTG_NONE (default): only where faces fold over,
+                               200 at most */
+} ktg_warp_options;
+
+KTG_API void ktg_warp_defaults(ktg_warp_options *options);
+
+typedef struct ktg_warp_report {
+    ktg_shape_report shape;
+    uint32_t handles;
+    uint32_t folded_before; /* faces that the two steps folded over */
+    uint32_t rounds;        /* of refinement */
+    bool crossed;           /* no face is folded, but the border crosses itself */
+} ktg_warp_report;
+
+/* Reads handles and moves the vertices of a flat mesh: register, compile, update, and refinement.
+ * NULL options: the defaults; report may be NULL. Folded faces are only reported. On failure the
+ * mesh is as it was. */
+KTG_API KTG_NODISCARD ktg_status ktg_warp(ktg_context *context, ktg_mesh *mesh, const char *handles,
+                                          const ktg_warp_options *options, ktg_warp_report *report);
+
 #ifdef __cplusplus
 }
 #endif
