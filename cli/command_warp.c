@@ -28,14 +28,21 @@ static bool same_file(const char *a, const char *b) {
            x.st_ino == y.st_ino;
 }
 
+/* What was done against folds, or because somebody asked for it. */
+static void tell_refinement(const ktg_warp_report *r) {
+    if (r->folded_before > 0)
+        fprintf(stderr, "%u face%s folded over at first; ", r->folded_before,
+                plural(r->folded_before));
+    if (r->led)
+        fputs("the handles were led on a way without folds\n", stderr);
+    else if (r->rounds > 0)
+        fprintf(stderr, "refined in %u round%s\n", r->rounds, plural(r->rounds));
+    else if (r->folded_before > 0)
+        fputs("refinement did not help\n", stderr);
+}
+
 static void tell_warp(const ktg_warp_report *r) {
-    if (r->rounds > 0)
-        fprintf(stderr, "refined in %u round%s", r->rounds, plural(r->rounds));
-    if (r->rounds > 0 && r->folded_before > 0)
-        fprintf(stderr, ": %u face%s folded over before, %u after", r->folded_before,
-                plural(r->folded_before), r->shape.folded_faces);
-    if (r->rounds > 0)
-        fputc('\n', stderr);
+    tell_refinement(r);
     fprintf(stderr, "%u handle%s, %u faces stretched by %.3g to %.3g\n", r->handles,
             plural(r->handles), r->shape.faces, r->shape.stretch_least, r->shape.stretch_most);
     if (r->shape.folded_faces > 0)

@@ -201,6 +201,14 @@ KTG_API KTG_NODISCARD ktg_status ktg_shape_refine(ktg_context *context, ktg_shap
                                                   const ktg_vec2 *targets, uint32_t rounds,
                                                   ktg_vec2 *positions, uint32_t *rounds_done);
 
+/* A way around folds: from the rest shape, turned as the handles ask for, these are led to their
+ * targets such that no face loses its area, while the shape relaxes under the symmetric Dirichlet
+ * energy. Slower (a second or so at 20,000 vertices) and less rigid. *arrived is false, and
+ * positions are as they were, where the handles could not be brought there. */
+KTG_API KTG_NODISCARD ktg_status ktg_shape_lead(ktg_context *context, ktg_shape *shape,
+                                                const ktg_vec2 *targets, ktg_vec2 *positions,
+                                                bool *arrived);
+
 /* What positions do to the rest shape. */
 typedef struct ktg_shape_report {
     uint32_t faces, folded_faces; /* turned over, or less than a millionth of their area left */
@@ -241,7 +249,7 @@ KTG_API void ktg_handle_list_free(ktg_handle_list *list);
 typedef struct ktg_warp_options {
     ktg_edge_weight weight; /* cotangents (default), or 1 as in the paper */
     uint32_t refine;        /* rounds of refinement; KTG_NONE (default): only where faces fold over,
-                               200 at most */
+                               200 at most, and ktg_shape_lead where that does not help */
 } ktg_warp_options;
 
 KTG_API void ktg_warp_defaults(ktg_warp_options *options);
@@ -251,6 +259,7 @@ typedef struct ktg_warp_report {
     uint32_t handles;
     uint32_t folded_before; /* faces that the two steps folded over */
     uint32_t rounds;        /* of refinement */
+    bool led;               /* it took ktg_shape_lead to be without folds */
     bool crossed;           /* no face is folded, but the border crosses itself */
 } ktg_warp_report;
 

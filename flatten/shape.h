@@ -85,6 +85,17 @@ KTG_NODISCARD ktg_status ktg_handles_find_twice(ktg_context *context, const ktg_
                                                 const ktg_handle *handles, uint32_t count,
                                                 uint32_t twice[2]);
 
+/* update.c: targets, normalised, to shape->wanted; */
+KTG_NODISCARD ktg_status ktg_shape_take_targets(ktg_context *context, ktg_shape *shape,
+                                                const ktg_vec2 *targets);
+/* y: L y = shape->pulls, which add up to 0, with the anchor in the origin; */
+KTG_NODISCARD ktg_status ktg_shape_answer_pulls(ktg_context *context, ktg_shape *shape,
+                                                ktg_vec2 *y);
+/* adds to y what brings the handles from where it has them to shape->wanted; */
+void ktg_shape_bring_handles(ktg_shape *shape, ktg_vec2 *y);
+/* positions as the caller knows them. */
+void ktg_shape_give(const ktg_shape *shape, const ktg_vec2 *z, ktg_vec2 *positions);
+
 static inline ktg_vec2 ktg_shape_inward(const ktg_shape *s, ktg_vec2 p) {
     return (ktg_vec2){(p.x - s->origin.x) / s->scale, s->side * (p.y - s->origin.y) / s->scale};
 }

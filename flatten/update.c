@@ -6,7 +6,7 @@
 
 /* ---- targets ------------------------------------------------------------------------------ */
 
-static ktg_status take_targets(ktg_context *context, ktg_shape *s, const ktg_vec2 *targets) {
+ktg_status ktg_shape_take_targets(ktg_context *context, ktg_shape *s, const ktg_vec2 *targets) {
     for (uint32_t k = 0; k < s->handle_count; k++) {
         if (!isfinite(targets[k].x) || !isfinite(targets[k].y))
             return ktg_fail(context, KTG_ARGUMENT, "handle %u has no finite target", k + 1);
@@ -62,7 +62,7 @@ static void pull_edges(ktg_shape *s, const ktg_vec2 *z) {
 
 /* The forces that bring the handles from where `y` has them to s->wanted, and the shift; both are
  * added to y. */
-static void bring_handles(ktg_shape *s, ktg_vec2 *y) {
+void ktg_shape_bring_handles(ktg_shape *s, ktg_vec2 *y) {
     uint32_t count = s->handle_count, vertices = s->mesh->vertex_count;
     ktg_vec2 *right = s->forces, *forces = s->forces + count + 2;
     for (uint32_t k = 0; k < count; k++)
@@ -79,7 +79,7 @@ static void bring_handles(ktg_shape *s, ktg_vec2 *y) {
 }
 
 /* y: L y = s->pulls, which add up to 0, with the anchor in the origin. */
-static ktg_status answer_pulls(ktg_context *context, ktg_shape *s, ktg_vec2 *y) {
+ktg_status ktg_shape_answer_pulls(ktg_context *context, ktg_shape *s, ktg_vec2 *y) {
     uint32_t n = s->count2;
     for (uint32_t v = 0; v < s->mesh->vertex_count; v++) {
         uint32_t k = s->number2[v];
@@ -99,7 +99,7 @@ static ktg_status answer_pulls(ktg_context *context, ktg_shape *s, ktg_vec2 *y) 
 /* ---- updates ------------------------------------------------------------------------------ */
 
 /* Vertices without faces stay; all of a shape that nobody holds does. */
-static void give(const ktg_shape *s, const ktg_vec2 *z, ktg_vec2 *positions) {
+void ktg_shape_give(const ktg_shape *s, const ktg_vec2 *z, ktg_vec2 *positions) {
     for (uint32_t v = 0; v < s->mesh->vertex_count; v++) {
         bool stays = s->handle_count == 0 || s->panel->leaving[v] == KTG_NONE;
         positions[v] = stays ? s->given[v] : ktg_shape_outward(s, z[v]);
@@ -108,27 +108,27 @@ static void give(const ktg_shape *s, const ktg_vec2 *z, ktg_vec2 *positions) {
 
 ktg_status ktg_shape_update_similar(ktg_context *context, ktg_shape *shape, const ktg_vec2 *targets,
                                     ktg_vec2 *positions) {
-    KTG_TRY(take_targets(context, shape, targets));
+    KTG_TRY(ktg_shape_take_targets(context, shape, targets));
     if (shape->handle_count < 2)
         shift(shape, shape->now);
     else
         find_similar(shape, shape->now);
-    give(shape, shape->now, positions);
+    ktg_shape_give(shape, shape->now, positions);
     return KTG_OK;
 }
 
 ktg_status ktg_shape_update(ktg_context *context, ktg_shape *shape, const ktg_vec2 *targets,
                             ktg_vec2 *positions) {
-    KTG_TRY(take_targets(context, shape, targets));
+    KTG_TRY(ktg_shape_take_targets(context, shape, targets));
     if (shape->handle_count < 2) {
         shift(shape, shape->now);
     } else {
         find_similar(shape, shape->now);
         pull_edges(shape, shape->now);
-        KTG_TRY(answer_pulls(context, shape, shape->now));
-        bring_handles(shape, shape->now);
+        KTG_TRY(ktg_shape_answer_pulls(context, shape, shape->now));
+        ktg_shape_bring_handles(shape, shape->now);
     }
-    give(shape, shape->now, positions);
+    ktg_shape_give(shape, shape->now, positions);
     return KTG_OK;
 }
 
@@ -154,10 +154,10 @@ static double energy_at(ktg_shape *s, const ktg_vec2 *y, bool slope) {
 
 /* s->now: where a full step leads. */
 static ktg_status find_step(ktg_context *context, ktg_shape *s, const ktg_vec2 *y) {
-    KTG_TRY(answer_pulls(context, s, s->now));
+    KTG_TRY(ktg_shape_answer_pulls(context, s, s->now));
     for (uint32_t v = 0; v < s->mesh->vertex_count; v++)
         s->now[v] = ktg_add2(s->now[v], y[v]);
-    bring_handles(s, s->now);
+    ktg_shape_bring_handles(s, s->now);
     return KTG_OK;
 }
 
@@ -194,7 +194,7 @@ static ktg_status refine(ktg_context *context, ktg_shape *s, uint32_t rounds, kt
 ktg_status ktg_shape_refine(ktg_context *context, ktg_shape *shape, const ktg_vec2 *targets,
                             uint32_t rounds, ktg_vec2 *positions, uint32_t *rounds_done) {
     uint32_t done = 0;
-    KTG_TRY(take_targets(context, shape, targets));
+    KTG_TRY(ktg_shape_take_targets(context, shape, targets));
     ktg_vec2 *y = ktg_new(context, shape->mesh->vertex_count, ktg_vec2);
     if (!y)
         return KTG_MEMORY;
@@ -204,7 +204,7 @@ ktg_status ktg_shape_refine(ktg_context *context, ktg_shape *shape, const ktg_ve
     if (shape->handle_count >= 2)
         status = refine(context, shape, rounds, y, &done);
     if (status == KTG_OK && done > 0)
-        give(shape, y, positions);
+        ktg_shape_give(shape, y, positions);
     ktg_free(y);
     if (rounds_done)
         *rounds_done = done;

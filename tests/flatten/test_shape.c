@@ -309,6 +309,50 @@ static void refinement_ends_where_the_energy_is_least(void **state) {
     ktg_shape_free(&shape);
 }
 
+/* Local/global iteration ends with folds here: the least energy has some. */
+static void handles_are_led_where_refinement_cannot_help(void **state) {
+    ktg_context *context = *state;
+    for (int weight = 0; weight < 2; weight++) {
+        ktg_shape *shape = registered(context, square, (ktg_edge_weight)weight);
+        ktg_handle handles[] = {ktg_handle_at_vertex(0), ktg_handle_at_vertex(SIDE),
+                                ktg_handle_at_vertex(SIDE * ROW), ktg_handle_at_vertex(COUNT - 1),
+                                at(context, shape, 50, 50)};
+        ktg_vec2 targets[] = {{0, 0}, {100, 0}, {0, 100}, {100, 100}, {80, 80}}, positions[COUNT];
+        bool arrived;
+        compile(context, shape, handles, 5);
+        update(context, shape, targets, positions);
+        assert_int_equal(ktg_shape_refine(context, shape, targets, 500, positions, NULL), KTG_OK);
+        assert_true(measured(shape, targets, positions).folded_faces > 0);
+        assert_int_equal(ktg_shape_lead(context, shape, targets, positions, &arrived), KTG_OK);
+        ktg_shape_report report = measured(shape, targets, positions);
+        assert_true(arrived && report.folded_faces == 0 && report.stretch_least > 0.1);
+        assert_true(report.handle_error < 1e-9 * 100);
+        ktg_shape_free(&shape);
+    }
+}
+
+/* Two points of a triangle change places: no way leads there. */
+static void handles_that_cannot_arrive_leave_everything_as_it_was(void **state) {
+    ktg_context *context = *state;
+    const ktg_vec3 corners[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    ktg_mesh *mesh = small_mesh(context, corners, 3, (const uint32_t[]){0, 1, 2}, 1);
+    ktg_shape *shape;
+    assert_int_equal(ktg_shape_register(context, mesh, KTG_WEIGHT_UNIT, &shape), KTG_OK);
+    ktg_handle handles[] = {ktg_handle_at_vertex(0), ktg_handle_at_vertex(1),
+                            ktg_handle_at_vertex(2)};
+    ktg_vec2 targets[] = {{0, 0}, {0, 1}, {1, 0}}, positions[3], before[3];
+    bool arrived;
+    compile(context, shape, handles, 3);
+    update(context, shape, targets, positions);
+    assert_int_equal(measured(shape, targets, positions).folded_faces, 1);
+    memcpy(before, positions, sizeof before);
+    assert_int_equal(ktg_shape_lead(context, shape, targets, positions, &arrived), KTG_OK);
+    assert_false(arrived);
+    assert_memory_equal(positions, before, sizeof before);
+    ktg_shape_free(&shape);
+    ktg_mesh_free(&mesh);
+}
+
 /* ---- refusals ----------------------------------------------------------------------------- */
 
 static void refused(ktg_context *context, ktg_mesh *mesh, const char *words) {
@@ -378,6 +422,9 @@ static ktg_status whole_job(ktg_context *context, const ktg_mesh *mesh) {
         status = ktg_shape_update(context, shape, targets, positions);
     if (status == KTG_OK)
         status = ktg_shape_refine(context, shape, targets, 3, positions, NULL);
+    bool arrived;
+    if (status == KTG_OK)
+        status = ktg_shape_lead(context, shape, targets, positions, &arrived);
     ktg_shape_free(&shape);
     return status;
 }
@@ -412,6 +459,8 @@ int main(void) {
         TEST(a_shape_seen_from_behind_far_away_and_tiny_is_no_different),
         TEST(refinement_brings_back_what_was_folded_and_keeps_handles),
         TEST(refinement_ends_where_the_energy_is_least),
+        TEST(handles_are_led_where_refinement_cannot_help),
+        TEST(handles_that_cannot_arrive_leave_everything_as_it_was),
         TEST(what_is_no_flat_shape_is_refused),
         TEST(handles_that_make_no_sense_are_refused),
         TEST(a_handle_too_many_in_a_triangle_is_refused),
