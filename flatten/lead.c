@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-enum { most_rounds = 300, steps_per_round = 4, last_steps = 200, most_halvings = 20 };
+enum { most_rounds = 300, steps_per_round = 2, sweeps = 2, last_steps = 200, most_halvings = 20 };
 
 /* Parts of the way to the first face without area that are gone. */
 static const double leading_part = 0.5, relaxing_part = 0.8;
@@ -24,6 +24,7 @@ typedef struct lead {
     ktg_shape *shape;
     ktg_vec2 *y, *direction; /* vertex_count */
     ktg_vec2 *goal;          /* handle_count: where the handles are to go in the end */
+    uint32_t *faces;         /* vertex_count: how many it has; 0 where sweeps leave it alone */
 } lead;
 
 /* y: the rest shape, moved as a whole so that its handles are next to their goals. */
@@ -43,13 +44,6 @@ static void start(lead *l) {
     turn = ktg_length2(turn) > 0 ? ktg_unit2(turn) : (ktg_vec2){1, 0};
     for (uint32_t v = 0; v < s->mesh->vertex_count; v++)
         l->y[v] = ktg_add2(to, ktg_turn(turn, ktg_sub2(s->rest[v], from)));
-}
-
-/* Handles are to stay where y has them. */
-static void hold_handles(lead *l) {
-    ktg_shape *s = l->shape;
-    for (uint32_t k = 0; k < s->handle_count; k++)
-        s->wanted[k] = ktg_handle_place(&s->handles[k], l->y);
 }
 
 /* y + part of the direction, into s->now. */
@@ -79,6 +73,32 @@ static double advance(lead *l) {
     return part;
 }
 
+/* Vertices that carry handles, that no face has or where fans touch in a point, are not swept. */
+static void choose_swept(lead *l) {
+    const ktg_shape *s = l->shape;
+    for (uint32_t h = 0; h < s->panel->adjacency->halfedge_count; h++)
+        l->faces[s->panel->faces[h]]++;
+    for (uint32_t v = 0; v < s->mesh->vertex_count; v++) {
+        uint32_t h = s->panel->leaving[v], fan = 0;
+        while (h != KTG_NONE && fan < l->faces[v] && (fan == 0 || h != s->panel->leaving[v])) {
+            fan++;
+            h = ktg_panel_around(s->panel, h);
+        }
+        if (fan != l->faces[v])
+            l->faces[v] = 0;
+    }
+    for (uint32_t k = 0; k < s->handle_count; k++)
+        for (int i = 0; i < 3; i++)
+            l->faces[s->handles[k].vertices[i]] = 0;
+}
+
+/* Each of the others by itself: few faces are pressed, and what presses them is next to them. */
+static void sweep(lead *l) {
+    for (uint32_t v = 0; v < l->shape->mesh->vertex_count; v++)
+        if (l->faces[v] > 0)
+            ktg_relax_vertex(l->shape->panel, l->shape->rests, l->y, v);
+}
+
 /* One step down; false where it no longer gains. */
 static ktg_status relax(ktg_context *context, lead *l, bool *gains) {
     ktg_shape *s = l->shape;
@@ -87,8 +107,7 @@ static ktg_status relax(ktg_context *context, lead *l, bool *gains) {
     for (uint32_t v = 0; v < s->mesh->vertex_count; v++)
         s->pulls[v] = ktg_mul2(s->pulls[v], -1);
     KTG_TRY(ktg_shape_answer_pulls(context, s, l->direction));
-    hold_handles(l);
-    for (uint32_t k = 0; k < s->handle_count; k++) /* the direction's handles stay at 0 */
+    for (uint32_t k = 0; k < s->handle_count; k++) /* as they are */
         s->wanted[k] = (ktg_vec2){0, 0};
     ktg_shape_bring_handles(s, l->direction);
     double part =
@@ -107,6 +126,8 @@ static ktg_status relax(ktg_context *context, lead *l, bool *gains) {
 
 static ktg_status relax_often(ktg_context *context, lead *l, int steps) {
     bool gains = true;
+    for (int k = 0; k < sweeps; k++)
+        sweep(l);
     for (int k = 0; k < steps && gains; k++)
         KTG_TRY(relax(context, l, &gains));
     return KTG_OK;
@@ -114,8 +135,12 @@ static ktg_status relax_often(ktg_context *context, lead *l, int steps) {
 
 static ktg_status run(ktg_context *context, lead *l, bool *arrived) {
     start(l);
+    choose_swept(l);
     for (int round = 0; round < most_rounds && !*arrived; round++) {
         KTG_TRY(ktg_check_cancel(context));
+        if (ktg_wants_finish(context))
+            return KTG_OK;
+        ktg_progress(context, "warp", (double)round / most_rounds, NULL);
         double part = advance(l);
         *arrived = part >= 1;
         if (part < least_lead)
@@ -138,12 +163,15 @@ ktg_status ktg_shape_lead(ktg_context *context, ktg_shape *shape, const ktg_vec2
     lead l = {.shape = shape,
               .y = ktg_new(context, shape->mesh->vertex_count, ktg_vec2),
               .direction = ktg_new(context, shape->mesh->vertex_count, ktg_vec2)};
+    l.faces = ktg_new(context, shape->mesh->vertex_count, uint32_t);
     l.goal = ktg_copy_array(context, shape->wanted, shape->handle_count, sizeof *l.goal);
-    ktg_status status = l.y && l.direction && l.goal ? run(context, &l, arrived) : KTG_MEMORY;
+    ktg_status status =
+        l.y && l.direction && l.faces && l.goal ? run(context, &l, arrived) : KTG_MEMORY;
     if (status == KTG_OK && *arrived)
         ktg_shape_give(shape, l.y, positions);
     ktg_free(l.y);
     ktg_free(l.direction);
+    ktg_free(l.faces);
     ktg_free(l.goal);
     return status;
 }
