@@ -204,8 +204,8 @@ KTG_API KTG_NODISCARD ktg_status ktg_shape_refine(ktg_context *context, ktg_shap
 /* A way around folds: from the rest shape, turned as the handles ask for, these are led to their
  * targets such that no face loses its area, while the shape relaxes under the symmetric Dirichlet
  * energy. Slower (seconds at 20,000 vertices) and less rigid; ends early, without having arrived,
- * when the caller wants to finish. *arrived is false, and
- * positions are as they were, where the handles could not be brought there. */
+ * when the caller wants to finish. *arrived is false, and positions are as they were, where the
+ * handles could not be brought there. */
 KTG_API KTG_NODISCARD ktg_status ktg_shape_lead(ktg_context *context, ktg_shape *shape,
                                                 const ktg_vec2 *targets, ktg_vec2 *positions,
                                                 bool *arrived);

@@ -114,7 +114,8 @@ ktg_status ktg_outputs_check(ktg_context *context, const ktg_pipeline_options *o
             return ktg_fail(context, KTG_ARGUMENT, "%s: is the model itself; name another output",
                             path);
         if (strcmp(path, "-") != 0 && names_edges(options, path))
-            return ktg_fail(context, KTG_ARGUMENT, "%s: is a file to be read; name another output",
+            return ktg_fail(context, KTG_ARGUMENT,
+                            "%s: is a file of edges or handles to be read; name another output",
                             path);
         for (size_t j = 0; j < i; j++)
             if (same_file(path, options->outputs[j]))
