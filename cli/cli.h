@@ -35,7 +35,8 @@ typedef struct settings {
     char grain_panels[CLI_MOST_OUTPUTS][64]; /* what their names are */
     const char *fabric_text;                 /* woven, knit, or a file */
     ktg_fabric fabric;
-    const char *arguments[2]; /* what is not an option */
+    const char *sets, *preview; /* what deform writes beside the model, or NULL */
+    const char *arguments[2];   /* what is not an option */
     int argument_count;
     bool faces_given, oversize_given;
     const char *handles; /* of warp: a file */
@@ -55,6 +56,7 @@ enum {
     CMD_SIMPLIFY = 4,
     CMD_INFO = 8,
     CMD_VERIFY = 16,
+    CMD_DEFORM = 32,
     CMD_WARP = 64
 };
 
@@ -109,6 +111,9 @@ void cli_print_lines(FILE *stream, const char *text);
 
 /* ---- commands (cli/command_*.c) ----------------------------------------------------------- */
 
+/* True when both paths name one file, or would. */
+bool cli_same_file(const char *a, const char *b);
+
 /* What every command does around its work: reads the options, shows the help (`usage`, then the
  * options), makes a context, calls `run`, tells a failure. */
 exit_code cli_run(int argc, char **argv, int command, int most_arguments, const char *usage,
@@ -116,6 +121,7 @@ exit_code cli_run(int argc, char **argv, int command, int most_arguments, const 
 
 exit_code command_unfold(int argc, char **argv);
 exit_code command_flatten(int argc, char **argv);
+exit_code command_deform(int argc, char **argv);
 exit_code command_simplify(int argc, char **argv);
 exit_code command_info(int argc, char **argv);
 exit_code command_verify(int argc, char **argv);

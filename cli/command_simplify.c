@@ -1,24 +1,15 @@
 /* cli/command_simplify.c - katagami simplify: a model with fewer faces. */
 #include "cli/cli.h"
 
-#include <sys/stat.h>
-
 static const char usage[] = "usage: katagami simplify MODEL [--faces N] -o FILE\n\n"
                             "Repairs a model, simplifies it by quadric error to N faces (500) and "
                             "writes it as\n.obj, .stl, .ply or .off.\n\n";
-
-/* A model is not replaced by a poorer one of the same name. */
-static bool is_the_model(const settings *s) {
-    struct stat model, output;
-    return stat(s->arguments[0], &model) == 0 && stat(s->outputs[0], &output) == 0 &&
-           model.st_dev == output.st_dev && model.st_ino == output.st_ino;
-}
 
 static ktg_status check_output(ktg_context *context, const settings *s) {
     if (s->output_count != 1 || ktg_mesh_format_of(s->outputs[0]) == KTG_MESH_BY_ENDING)
         return ktg_fail(context, KTG_ARGUMENT,
                         "simplify wants one -o FILE that ends in .obj, .stl, .ply or .off");
-    if (is_the_model(s))
+    if (cli_same_file(s->arguments[0], s->outputs[0])) /* not replaced by a poorer one */
         return ktg_fail(context, KTG_ARGUMENT, "%s: is the model itself; name another output",
                         s->outputs[0]);
     return KTG_OK;

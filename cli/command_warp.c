@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
-#include <sys/stat.h>
 
 static const char usage[] =
     "usage: katagami warp SHAPE --handles FILE -o FILE [options]\n\n"
@@ -20,12 +19,6 @@ static const char usage[] =
 
 static const char *plural(uint32_t count) {
     return count == 1 ? "" : "s";
-}
-
-static bool same_file(const char *a, const char *b) {
-    struct stat x, y;
-    return stat(a, &x) == 0 && stat(b, &y) == 0 && S_ISREG(x.st_mode) && x.st_dev == y.st_dev &&
-           x.st_ino == y.st_ino;
 }
 
 /* What was done against folds, or because somebody asked for it. */
@@ -60,10 +53,10 @@ static ktg_status check_mesh_output(ktg_context *context, const settings *s) {
         return ktg_fail(context, KTG_ARGUMENT,
                         "a mesh that is warped wants one -o FILE that ends in .obj, .stl, .ply or "
                         ".off");
-    if (same_file(s->outputs[0], s->arguments[0]))
+    if (cli_same_file(s->outputs[0], s->arguments[0]))
         return ktg_fail(context, KTG_ARGUMENT, "%s: is the shape itself; name another output",
                         s->outputs[0]);
-    if (same_file(s->outputs[0], s->handles))
+    if (cli_same_file(s->outputs[0], s->handles))
         return ktg_fail(context, KTG_ARGUMENT, "%s: is a file to be read; name another output",
                         s->outputs[0]);
     return KTG_OK;

@@ -9,6 +9,7 @@ static const char usage[] =
     "usage: katagami COMMAND ...\n\n"
     "  unfold MODEL          a paper net with glue tabs, on sheets to be printed\n"
     "  flatten MODEL         a cloth pattern with seams, allowances and notches\n"
+    "  deform MODEL          the model with parts moved, resized, bent, as an edit file says\n"
     "  simplify MODEL        the model with fewer faces\n"
     "  warp SHAPE            a flat shape or a piece of a pattern, moved by a few points\n"
     "  info MODEL            what is in a model, and what is wrong with it\n"
@@ -18,9 +19,10 @@ static const char usage[] =
 static const struct {
     const char *name;
     exit_code (*run)(int argc, char **argv);
-} commands[] = {{"unfold", command_unfold},     {"flatten", command_flatten},
-                {"simplify", command_simplify}, {"info", command_info},
-                {"verify", command_verify},     {"warp", command_warp}};
+} commands[] = {{"unfold", command_unfold}, {"flatten", command_flatten},
+                {"deform", command_deform}, {"simplify", command_simplify},
+                {"warp", command_warp},     {"info", command_info},
+                {"verify", command_verify}};
 
 /* Words on standard output count only when they got there. */
 static exit_code flushed(exit_code code) {

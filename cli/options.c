@@ -12,7 +12,7 @@
 #define LONGEST_PAGE_MM 5000
 
 #define PAPER   (CMD_UNFOLD | CMD_FLATTEN)
-#define EVERY   (PAPER | CMD_SIMPLIFY | CMD_INFO | CMD_VERIFY | CMD_WARP)
+#define EVERY   (PAPER | CMD_DEFORM | CMD_SIMPLIFY | CMD_INFO | CMD_VERIFY | CMD_WARP)
 #define LARGEST 1e9
 
 static bool parse_number(const char *text, double least, double most, double *number) {
@@ -101,6 +101,21 @@ static bool set_cut(settings *s, const char *text) {
 
 static bool set_omit(settings *s, const char *text) {
     return *text && add_word(s, &s->omit, text);
+}
+
+static bool set_edit(settings *s, const char *text) {
+    s->pipeline.edit = text;
+    return *text != 0;
+}
+
+static bool set_sets(settings *s, const char *text) {
+    s->sets = text;
+    return *text != 0;
+}
+
+static bool set_preview(settings *s, const char *text) {
+    s->preview = text;
+    return *text != 0;
 }
 
 static bool set_faces(settings *s, const char *text) {
@@ -442,7 +457,11 @@ typedef struct option_line {
 static const option_line lines[] = {
     {"output", 'o', "FILE", PAPER, set_output,
      "what to write, by its ending; may be given several times"},
-    {"output", 'o', "FILE", CMD_SIMPLIFY, set_output, "what to write, by its ending"},
+    {"output", 'o', "FILE", CMD_SIMPLIFY | CMD_DEFORM, set_output, "what to write, by its ending"},
+    {"edit", 0, "FILE", CMD_DEFORM, set_edit, "what is to be changed"},
+    {"edit", 0, "FILE", PAPER, set_edit, "change the model first, as deform does"},
+    {"sets", 0, "FILE.obj", CMD_DEFORM, set_sets, "write what the edit selects, as groups"},
+    {"preview", 0, "FILE.png", CMD_DEFORM, set_preview, "draw the model before and after"},
     {"output", 'o', "FILE", CMD_WARP, set_output,
      "what to write, by its ending; of a pattern may be given several times"},
     {"handles", 0, "FILE", CMD_WARP, set_handles, "which points go where"},
@@ -475,7 +494,7 @@ static const option_line lines[] = {
     {"scale", 0, "FACTOR", PAPER, set_scale, "millimetres per unit of the model"},
     {"sheets", 0, "N", CMD_UNFOLD, set_sheets, "as large as N sheets allow (1)"},
     {"unit", 0, "mm|cm|m|in", CMD_FLATTEN, set_unit, "the unit of the model file"},
-    {"up", 0, "x|y|z", PAPER, set_up, "which axis is height (STL: z, others: y)"},
+    {"up", 0, "x|y|z", PAPER | CMD_DEFORM, set_up, "which axis is height (STL: z, others: y)"},
     {"paper", 'p', "FORMAT", PAPER | CMD_WARP, set_paper,
      "a0 ... a6, letter, legal, tabloid, ..., WxH, or fit: one page (a4)"},
     {"landscape", 0, NULL, PAPER | CMD_WARP, set_landscape, "turn the sheet"},
@@ -548,7 +567,7 @@ static const option_line lines[] = {
      "a DXF for cutters, one for each sheet, instead of one for garment CAD (ASTM D6673)"},
     {"registration", 0, NULL, PAPER, set_registration,
      "marks in the margins by which a cutter finds the print"},
-    {"report", 0, "FILE.json", PAPER, set_report, "write the figures of the run"},
+    {"report", 0, "FILE.json", PAPER | CMD_DEFORM, set_report, "write the figures of the run"},
     {"quiet", 'q', NULL, EVERY, set_quiet, "say nothing but errors"},
     {"help", 'h', NULL, EVERY, set_help, "show this"},
 };

@@ -24,21 +24,57 @@ static double excess_of(double strain, double limit) {
 }
 
 /* A face that is turned over is as wrong as can be. */
-static void add_up(const fitting *f, ktg_fit *fit) {
+static void add_up(const ktg_panel *panel, const ktg_vec2 *flat, double limit, ktg_fit *fit) {
     *fit = (ktg_fit){0};
-    for (uint32_t k = 0; k < f->panel->face_count; k++) {
-        ktg_face_map map = ktg_face_map_of(f->panel, k, f->flat);
+    for (uint32_t k = 0; k < panel->face_count; k++) {
+        ktg_face_map map = ktg_face_map_of(panel, k, flat);
         double strain = ktg_max(fabs(map.s1 - 1), fabs(map.s2 - 1));
         bool folded = !(map.s2 > 0) || !(strain < INFINITY);
         fit->area += map.area;
-        fit->excess += map.area * (folded ? most_excess : excess_of(strain, f->limit->max_strain));
-        if (folded || strain > f->limit->max_strain)
+        fit->excess += map.area * (folded ? most_excess : excess_of(strain, limit));
+        if (folded || strain > limit)
             fit->beyond += map.area;
     }
     fit->beyond /= fit->area;
-    double unit = ldexp(1, 2 * f->panel->exponent);
+    double unit = ldexp(1, 2 * panel->exponent);
     fit->area *= unit;
     fit->excess *= unit;
+}
+
+static ktg_status find_waste(ktg_context *context, const ktg_panel *panel, const ktg_vec2 *flat,
+                             ktg_fit *fit) {
+    ktg_vec2 *hull;
+    size_t count;
+    double area = 0;
+    fit->waste = 1;
+    for (uint32_t v = 0; v < panel->vertex_count; v++)
+        if (!isfinite(flat[v].x) || !isfinite(flat[v].y))
+            return KTG_OK;
+    KTG_TRY(ktg_hull(context, flat, panel->vertex_count, &hull, &count));
+    for (size_t i = 0; i < count; i++)
+        area += ktg_cross2(hull[i], hull[(i + 1) % count]) / 2;
+    ktg_free(hull);
+    fit->waste = ktg_max(0, 1 - ldexp(fit->area, -2 * panel->exponent) / ktg_max(area, 1e-300));
+    return KTG_OK;
+}
+
+static ktg_status find_soundness(ktg_context *context, const ktg_panel *panel, const ktg_vec2 *flat,
+                                 const ktg_fit_limit *limit, ktg_fit *fit) {
+    uint32_t vertices[2];
+    bool crossed = true;
+    if (ktg_panel_count_flipped(panel, flat) == 0)
+        KTG_TRY(ktg_panel_find_crossing(context, panel, flat, &crossed, vertices));
+    fit->known = true;
+    fit->flat = !crossed;
+    fit->good = fit->flat && fit->beyond <= 1 - limit->area_part;
+    return KTG_OK;
+}
+
+ktg_status ktg_fit_of_flat(ktg_context *context, const ktg_panel *panel, const ktg_vec2 *flat,
+                           const ktg_fit_limit *limit, ktg_fit *fit) {
+    add_up(panel, flat, limit->max_strain, fit);
+    KTG_TRY(find_waste(context, panel, flat, fit));
+    return find_soundness(context, panel, flat, limit, fit);
 }
 
 /* The way the default method begins; no more is needed to see that a panel does not fit. */
@@ -52,46 +88,20 @@ static ktg_status lay_quickly(ktg_context *context, fitting *f) {
 /* Does it come out as ktg_flatten would accept it? Asked only where the strain is within the limit
  * or nearly so: folds are then few, and the injective method may have to take over. */
 static ktg_status settle(ktg_context *context, fitting *f, ktg_fit *fit) {
+    KTG_TRY(find_soundness(context, f->panel, f->flat, f->limit, fit));
+    if (fit->flat)
+        return KTG_OK;
     ktg_flatten_options options;
     ktg_panel_report report = {0};
-    uint32_t vertices[2];
-    bool crossed = false;
-    if (ktg_panel_count_flipped(f->panel, f->flat) == 0)
-        KTG_TRY(ktg_panel_find_crossing(context, f->panel, f->flat, &crossed, vertices));
-    if (ktg_panel_count_flipped(f->panel, f->flat) > 0 || crossed) {
-        ktg_flatten_defaults(&options);
-        options.method = KTG_FLATTEN_INJECTIVE;
-        f->limit->work += 2 * (uint64_t)f->panel->face_count;
-        ktg_status status = ktg_lay_flat(context, f->panel, &options, f->flat, &report);
-        if (status != KTG_OK && status != KTG_GEOMETRY)
-            return status;
-        double waste = fit->waste;
-        add_up(f, fit);
-        fit->waste = waste;
-        KTG_TRY(ktg_panel_find_crossing(context, f->panel, f->flat, &crossed, vertices));
-        crossed |= ktg_panel_count_flipped(f->panel, f->flat) > 0;
-    }
-    fit->known = true;
-    fit->flat = !crossed;
-    fit->good = fit->flat && fit->beyond <= 1 - f->limit->area_part;
-    if (crossed)
+    ktg_flatten_defaults(&options);
+    options.method = KTG_FLATTEN_INJECTIVE;
+    f->limit->work += 2 * (uint64_t)f->panel->face_count;
+    ktg_status status = ktg_lay_flat(context, f->panel, &options, f->flat, &report);
+    if (status != KTG_OK && status != KTG_GEOMETRY)
+        return status;
+    KTG_TRY(ktg_fit_of_flat(context, f->panel, f->flat, f->limit, fit));
+    if (!fit->flat)
         fit->excess += fit->area / 4;
-    return KTG_OK;
-}
-
-static ktg_status find_waste(ktg_context *context, const fitting *f, ktg_fit *fit) {
-    ktg_vec2 *hull;
-    size_t count;
-    double area = 0;
-    fit->waste = 1;
-    for (uint32_t v = 0; v < f->panel->vertex_count; v++)
-        if (!isfinite(f->flat[v].x) || !isfinite(f->flat[v].y))
-            return KTG_OK;
-    KTG_TRY(ktg_hull(context, f->flat, f->panel->vertex_count, &hull, &count));
-    for (size_t i = 0; i < count; i++)
-        area += ktg_cross2(hull[i], hull[(i + 1) % count]) / 2;
-    ktg_free(hull);
-    fit->waste = ktg_max(0, 1 - ldexp(fit->area, -2 * f->panel->exponent) / ktg_max(area, 1e-300));
     return KTG_OK;
 }
 
@@ -107,8 +117,8 @@ static ktg_status measure(ktg_context *context, const ktg_mesh *mesh, fitting *f
     if (status == KTG_GEOMETRY) /* too long and thin for the digits: cut on */
         for (uint32_t v = 0; v < f->panel->vertex_count; v++)
             f->flat[v] = (ktg_vec2){0, 0};
-    add_up(f, fit);
-    KTG_TRY(find_waste(context, f, fit));
+    add_up(f->panel, f->flat, f->limit->max_strain, fit);
+    KTG_TRY(find_waste(context, f->panel, f->flat, fit));
     if (!f->limit->thorough && fit->beyond > 2 * (1 - f->limit->area_part))
         return KTG_OK;
     return settle(context, f, fit);

@@ -86,7 +86,7 @@ static ktg_status attempt(ktg_context *context, ktg_flat_surface *surface, ktg_p
  * were chosen: where that is too much, they are chosen again with more to spare. And where nobody
  * said where seams are to be, a panel that cannot be laid flat gets some. */
 static ktg_status flatten(ktg_context *context, ktg_flat_surface *surface, ktg_pattern **pattern) {
-    static const double parts[] = {0.958, 0.972, 0.985};
+    static const double parts[] = {0.951, 0.965, 0.98};
     size_t k = 0;
     KTG_TRY(check_options(context, surface->options));
     for (;;) {

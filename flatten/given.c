@@ -3,6 +3,7 @@
 #include "core/vec.h"
 #include "flatten/surface.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 /* ---- what tells the two faces at an edge apart -------------------------------------------- */
@@ -110,15 +111,17 @@ static ktg_status count_used(ktg_context *context, const ktg_mesh *mesh, const u
 
 /* The mesh as if it had only the names of the table that has most of them; objects before groups
  * before materials where they have equally many. */
-static ktg_status with_best_names(ktg_context *context, const ktg_mesh *mesh, ktg_mesh *view) {
+static ktg_status with_best_names(ktg_context *context, const ktg_mesh *mesh, ktg_mesh *view,
+                                  uint32_t *most) {
     uint32_t *const faces[] = {mesh->face_object, mesh->face_group, mesh->face_material};
     const ktg_names *const names[] = {&mesh->objects, &mesh->groups, &mesh->materials};
-    uint32_t best = 0, most = 0;
+    uint32_t best = 0;
+    *most = 0;
     for (uint32_t k = 0; k < 3; k++) {
         uint32_t count;
         KTG_TRY(count_used(context, mesh, faces[k], names[k], &count));
-        if (count > most) {
-            most = count;
+        if (count > *most) {
+            *most = count;
             best = k;
         }
     }
@@ -129,20 +132,31 @@ static ktg_status with_best_names(ktg_context *context, const ktg_mesh *mesh, kt
     return KTG_OK;
 }
 
+/* "panel 1", "panel 2", ...; a single one has the fallback. */
+static ktg_status number_names(ktg_context *context, uint32_t count, const char *fallback,
+                               ktg_names *names) {
+    names->text = ktg_new(context, count, char *);
+    if (!names->text)
+        return KTG_MEMORY;
+    names->count = count;
+    for (uint32_t p = 0; p < count; p++) {
+        char text[32];
+        snprintf(text, sizeof text, "panel %u", p + 1);
+        names->text[p] = ktg_copy_text(context, count == 1 ? fallback : text, SIZE_MAX);
+        if (!names->text[p])
+            return KTG_MEMORY;
+    }
+    return KTG_OK;
+}
+
 ktg_status ktg_panel_names(ktg_context *context, const ktg_mesh *mesh, const ktg_cut_surface *apart,
                            const char *fallback, ktg_names *names) {
     ktg_mesh view;
+    uint32_t named;
     *names = (ktg_names){0};
-    if (apart->count == 1) {
-        names->text = ktg_new(context, 1, char *);
-        if (!names->text || !(names->text[0] = ktg_copy_text(context, fallback, SIZE_MAX))) {
-            ktg_names_free(names);
-            return KTG_MEMORY;
-        }
-        names->count = 1;
-        return KTG_OK;
-    }
-    KTG_TRY(with_best_names(context, mesh, &view));
-    return ktg_mesh_component_names(context, &view, apart->face_panel, apart->count, fallback,
-                                    names);
+    KTG_TRY(with_best_names(context, mesh, &view, &named));
+    if (apart->count > 1 && named > 0)
+        return ktg_mesh_component_names(context, &view, apart->face_panel, apart->count, fallback,
+                                        names);
+    return number_names(context, apart->count, fallback, names);
 }

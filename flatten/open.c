@@ -10,6 +10,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Loops that are cut one after the other. */
+enum { most_single_loops = 6 };
+
 /* An edge with the length of the loop that it closes. */
 typedef struct loop {
     double length;
@@ -78,10 +81,10 @@ static uint32_t list_loops(opening *o) {
     return count;
 }
 
-/* The shortest loop that does not take the panel apart: joining faces across edges, longest loops
- * first, it is the last edge that joins nothing. KTG_NONE where there is none. */
-static uint32_t shortest_loop(opening *o) {
-    uint32_t count = list_loops(o), shortest = KTG_NONE;
+/* The loops that together leave the panel in one part, in o->loops, shortest last: joining faces
+ * across edges, longest loops first, they are those of the edges that join nothing. */
+static uint32_t find_loops(opening *o) {
+    uint32_t count = list_loops(o), found = 0;
     for (uint32_t f = 0; f < o->part->mesh->face_count; f++)
         o->sets[f] = f;
     for (uint32_t i = 0; i < count; i++) {
@@ -89,10 +92,10 @@ static uint32_t shortest_loop(opening *o) {
         uint32_t h = a->edge_halfedges[a->edge_first[o->loops[i].edge]];
         uint32_t one = find(o->sets, h / 3), other = find(o->sets, a->twin[h] / 3);
         if (one == other)
-            shortest = o->loops[i].edge;
+            o->loops[found++] = o->loops[i];
         o->sets[one] = other;
     }
-    return shortest;
+    return found;
 }
 
 /* The surface's edge for one of the panel's. */
@@ -144,19 +147,27 @@ static bool has_border(const ktg_sheet *s) {
     return false;
 }
 
-/* One cut nearer to a disk. */
+static void cut_loop(const opening *o, const ktg_adjacency *adjacency, uint32_t edge, bool closed,
+                     bool *cut) {
+    cut[edge_of(o, adjacency, edge)] = true;
+    for (int k = 0; k < 2; k++)
+        cut_way(o, adjacency, o->sheet->ends[2 * (size_t)edge + k], closed, cut);
+}
+
+/* Nearer to a disk: by the shortest loop, as what is cut makes others shorter; by all of them at
+ * once, which makes it a disk, where there are many. */
 static ktg_status open_once(ktg_context *context, const ktg_adjacency *adjacency, opening *o,
                             bool *cut) {
     bool closed = !has_border(o->sheet);
     KTG_TRY(find_ways(context, o, closed));
-    uint32_t edge = shortest_loop(o);
-    if (edge == KTG_NONE) { /* a sphere: slit from end to end */
+    uint32_t count = find_loops(o);
+    if (count == 0) { /* a sphere: slit from end to end */
         cut_way(o, adjacency, farthest(o), false, cut);
         return KTG_OK;
     }
-    cut[edge_of(o, adjacency, edge)] = true;
-    for (int k = 0; k < 2; k++)
-        cut_way(o, adjacency, o->sheet->ends[2 * (size_t)edge + k], closed, cut);
+    uint32_t first = count > most_single_loops && !closed ? 0 : count - 1;
+    for (uint32_t i = first; i < count; i++)
+        cut_loop(o, adjacency, o->loops[i].edge, closed, cut);
     return KTG_OK;
 }
 

@@ -21,7 +21,7 @@ void ktg_seams_auto_defaults(ktg_seams_auto_options *options);
 typedef struct ktg_seams_report {
     uint32_t panels, darts;   /* of the whole surface; a dart is a seam that ends inside a panel */
     uint32_t panels_beyond;   /* that could not be brought within the limit */
-    bool slide;               /* ktg_seams_slide is to be called: panels fit then, too */
+    double slide;             /* part for ktg_seams_slide with which panels still fit; 0: none */
     bool mirrored;            /* a mirror plane was found and used */
     bool exhausted;           /* work ended at its bound, or the caller wanted to finish */
     double worst_area_beyond; /* of all panels the largest part of the area beyond max_strain */
@@ -49,9 +49,9 @@ KTG_NODISCARD ktg_status ktg_seams_open(ktg_context *context, const ktg_mesh *me
  * are cannot. fixed (edge_count, or NULL): seams that stay as they are. Faces and edges stay the
  * same ones; vertices on borders, at creases, where seams meet or end, and far from seams, do not
  * move, and no other one leaves the surface as it was. *largest (or NULL): the furthest that one
- * moved. On failure the mesh is as it was. */
+ * moved. part: how much of the way they go, 1 all of it. On failure the mesh is as it was. */
 KTG_NODISCARD ktg_status ktg_seams_slide(ktg_context *context, ktg_mesh *mesh,
                                          const ktg_adjacency *adjacency, const bool *cut,
-                                         const bool *fixed, double *largest);
+                                         const bool *fixed, double part, double *largest);
 
 #endif

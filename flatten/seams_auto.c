@@ -13,13 +13,13 @@
 
 /* Searches that begin differently are made while all together lay less than this flat; and faces
  * laid flat to see which seams are needed. */
-enum { attempts = 8 };
-static const uint64_t most_attempt_work = 1500000, most_revision_work = 2000000;
+enum { attempts = 12 };
+static const uint64_t most_attempt_work = 2000000, most_revision_work = 2000000;
 
 /* Of the area that may be beyond the limit, the part that the search makes use of, and the part
- * that smoothing does: what comes after, sliding seams and making them equally long, strains a
- * little more. */
-static const double spare = 0.85, spare_smooth = 0.96;
+ * that smoothing does more: what comes after, sliding seams and making them equally long, strains a
+ * little more, in some attempts too much. */
+static const double spares[] = {0.5, 0.85, 0.3}, spare_smooth = 0.1;
 
 /* One half, then the other with the same seams. */
 static ktg_status refine_mirrored(ktg_context *context, ktg_search *s) {
@@ -37,7 +37,7 @@ static ktg_status revise(ktg_context *context, ktg_search *s) {
                              .most_work = s->limit.work + most_revision_work};
     double searched = s->limit.area_part;
     KTG_TRY(ktg_seams_merge(context, &revision, s->cut));
-    s->limit.area_part = 1 - spare_smooth * (1 - s->options->area_part);
+    s->limit.area_part -= spare_smooth * (1 - s->options->area_part);
     ktg_status status = ktg_seams_polish(context, &revision, s->cut);
     s->limit.area_part = searched;
     KTG_TRY(status);
@@ -71,8 +71,9 @@ static ktg_status try_all(ktg_context *context, ktg_search *s, bool *best) {
     ktg_outcome least = {.failing = INFINITY, .awkward = INFINITY};
     for (uint32_t i = 0; i < attempts && may_attempt(context, s, i); i++) {
         ktg_outcome its;
-        s->first_rank = i / 2;
-        s->lines_last = i % 2 == 0;
+        s->limit.area_part = 1 - spares[i % 3] * (1 - s->options->area_part);
+        s->lines_last = i / 3 % 2 == 0;
+        s->first_rank = i / 6;
         KTG_TRY(attempt(context, s, &its));
         if (!ktg_outcome_is_better(&its, &least))
             continue;
@@ -164,8 +165,7 @@ ktg_status ktg_seams_auto(ktg_context *context, const ktg_mesh *mesh,
         return ktg_fail(context, KTG_ARGUMENT,
                         "a limit of strain for seams is more than 0, and the part of the area that "
                         "it is for more than 0 and at most 1");
-    s.limit =
-        (ktg_fit_limit){s.options->max_strain, 1 - spare * (1 - s.options->area_part), false, 0};
+    s.limit = (ktg_fit_limit){.max_strain = s.options->max_strain};
     s.mesh.vertex_count = mesh->vertex_count;
     s.mesh.face_count = mesh->face_count;
     s.mesh.faces = mesh->faces;

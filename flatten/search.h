@@ -53,7 +53,7 @@ KTG_NODISCARD ktg_status ktg_search_refine(ktg_context *context, ktg_search *sea
 /* ---- judge.c ------------------------------------------------------------------------------ */
 
 typedef struct ktg_outcome {
-    bool slid;       /* judged as ktg_seams_slide leaves the surface */
+    double slid;     /* judged as ktg_seams_slide leaves the surface by this part; 0: as it is */
     bool exhausted;  /* the search was when it ended */
     uint32_t beyond; /* panels that do not fit */
     double failing;  /* area that is beyond the limit and should not be */

@@ -176,6 +176,21 @@ static inline double ktg_fit_shape(const ktg_fit *fit) {
     return 0.5 + 6 * fit->waste * fit->waste;
 }
 
+/* A flat shape that is there already. */
+KTG_NODISCARD ktg_status ktg_fit_of_flat(ktg_context *context, const ktg_panel *panel,
+                                         const ktg_vec2 *flat, const ktg_fit_limit *limit,
+                                         ktg_fit *fit);
+
+/* ---- matched.c ---------------------------------------------------------------------------- */
+
+/* All panels, which are disks, with both sides of each seam made equally long. *fits: one for each
+ * panel of ktg_cut_apart, allocated, freed with ktg_free. */
+KTG_NODISCARD ktg_status ktg_fit_matched(ktg_context *context, const ktg_mesh *mesh,
+                                         const bool *cut, ktg_fit_limit *limit, ktg_fit **fits,
+                                         uint32_t *count);
+
+/* ---- fit.c, once more --------------------------------------------------------------------- */
+
 /* How much the conformal map with a border that keeps its length would have to scale, as a
  * logarithm: largest where a cut takes most strain away. scale: vertex_count. */
 KTG_NODISCARD ktg_status ktg_fit_scales(ktg_context *context, const ktg_mesh *mesh, double *scale);

@@ -225,7 +225,17 @@ static void retreat(slide *s) {
 
 /* ---- all ----------------------------------------------------------------------------------- */
 
-static ktg_status run(ktg_context *context, slide *s) {
+/* Part of the way only. */
+static void go_part(slide *s, double part) {
+    for (uint32_t v = 0; v < s->sheet->mesh->vertex_count; v++) {
+        ktg_vec3 was = s->sheet->mesh->positions[v];
+        if (s->kind[v] != stays)
+            s->now[v] = closest_around(s->sheet, &s->face[v],
+                                       ktg_madd3(was, part, ktg_sub3(s->now[v], was)));
+    }
+}
+
+static ktg_status run(ktg_context *context, slide *s, double part) {
     const ktg_mesh *mesh = s->sheet->mesh;
     s->now = ktg_copy_array(context, mesh->positions, mesh->vertex_count, sizeof *s->now);
     s->next = ktg_new(context, mesh->vertex_count, ktg_vec3);
@@ -243,6 +253,8 @@ static ktg_status run(ktg_context *context, slide *s) {
         find_faces(s);
         for (int round = 0; round < rounds; round++)
             move(s, points, round);
+        if (part < 1)
+            go_part(s, part);
         retreat(s);
     }
     bool enough = held && points;
@@ -261,11 +273,11 @@ static void take_over(const slide *s, ktg_mesh *mesh, double *largest) {
 }
 
 ktg_status ktg_seams_slide(ktg_context *context, ktg_mesh *mesh, const ktg_adjacency *adjacency,
-                           const bool *cut, const bool *fixed, double *largest) {
+                           const bool *cut, const bool *fixed, double part, double *largest) {
     ktg_sheet *sheet;
     KTG_TRY(ktg_sheet_new(context, mesh, adjacency, &sheet));
     slide s = {.sheet = sheet, .cut = cut, .fixed = fixed};
-    ktg_status status = run(context, &s);
+    ktg_status status = run(context, &s, part);
     if (status == KTG_OK)
         take_over(&s, mesh, largest);
     ktg_free(s.now);

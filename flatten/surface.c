@@ -47,11 +47,11 @@ static ktg_status choose_seams(ktg_context *context, ktg_flat_surface *s) {
     ktg_status status = given ? KTG_OK : KTG_MEMORY;
     if (status == KTG_OK)
         status = ktg_seams_auto(context, s->mesh, s->adjacency, &options, s->cut, &chosen);
-    if (status == KTG_OK && chosen.slide)
+    if (status == KTG_OK && chosen.slide > 0)
         status = ktg_mesh_copy(context, s->mesh, &s->slid);
-    if (status == KTG_OK && chosen.slide) {
+    if (status == KTG_OK && chosen.slide > 0) {
         s->mesh = s->slid;
-        status = ktg_seams_slide(context, s->slid, s->adjacency, s->cut, given, NULL);
+        status = ktg_seams_slide(context, s->slid, s->adjacency, s->cut, given, chosen.slide, NULL);
     }
     ktg_free(given);
     return status;

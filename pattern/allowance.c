@@ -107,6 +107,7 @@ static ktg_status add_grain_line(ktg_context *context, ktg_pattern_piece *piece)
 
 static ktg_status shape_pieces(ktg_context *context, ktg_cloth *cloth) {
     uint32_t count = (uint32_t)cloth->pattern->piece_count;
+    KTG_TRY(ktg_clearances_find(context, cloth));
     for (uint32_t p = 0; p < count; p++) {
         forget_shapes(&cloth->pattern->pieces[p]);
         KTG_TRY(ktg_check_cancel(context));
@@ -152,11 +153,14 @@ ktg_status ktg_finish_cloth(ktg_context *context, const ktg_topology *topology,
     ktg_cloth cloth = {.topology = topology,
                        .options = options,
                        .pattern = pattern,
+                       .room = ktg_new(context, topology->border_count, double),
                        .twins = ktg_new(context, count, ktg_mirror),
                        .selves = ktg_new(context, count, ktg_mirror)};
     for (size_t e = 0; e < pattern->edge_count; e++)
         pattern->edges[e].tab_on = -1;
-    ktg_status status = cloth.twins && cloth.selves ? run_steps(context, &cloth) : KTG_MEMORY;
+    bool all = cloth.room && cloth.twins && cloth.selves;
+    ktg_status status = all ? run_steps(context, &cloth) : KTG_MEMORY;
+    ktg_free(cloth.room);
     ktg_free(cloth.twins);
     ktg_free(cloth.selves);
     if (status == KTG_OK)

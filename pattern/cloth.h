@@ -2,6 +2,7 @@
  *
  *     ktg_darts_find      seams that are folded away instead of cut out
  *     ktg_mirrors_find    pieces that are mirror images or copies of each other, or of themselves
+ *     ktg_clearances_find where pieces come near themselves
  *     ktg_cutting_line    the outline with its allowances
  *     ktg_notches_choose  where marks go, the same on both sides of a seam
  *     ktg_notches_draw
@@ -31,6 +32,8 @@ typedef struct ktg_cloth {
     const ktg_finish_options *options;
     ktg_pattern *pattern;
     ktg_mirror *twins;  /* piece_count: on the piece it is cut with */
+    double *room;       /* topology->border_count: how much cloth there can be at the start of each
+                           half-edge of the border; infinite where nothing is near */
     ktg_mirror *selves; /* piece_count: on itself, mirrored, where it is symmetric */
 } ktg_cloth;
 
@@ -89,6 +92,9 @@ void ktg_darts_keep_foldable(const ktg_cloth *cloth);
 /* Fills twins and selves, and the pieces' cut_count, cut_mirrored and twin_of; gives seams that lie
  * on each other the same number. */
 KTG_NODISCARD ktg_status ktg_mirrors_find(ktg_context *context, ktg_cloth *cloth);
+
+/* Fills room. */
+KTG_NODISCARD ktg_status ktg_clearances_find(ktg_context *context, ktg_cloth *cloth);
 
 /* The piece's outline, and lines for its darts. KTG_GEOMETRY where it crosses itself. */
 KTG_NODISCARD ktg_status ktg_cutting_line(ktg_context *context, const ktg_cloth *cloth,

@@ -15,6 +15,7 @@
 typedef struct cut {
     const ktg_topology *t;
     const ktg_finish_options *options;
+    const double *room; /* of ktg_cloth */
     double nudge;
     ktg_vec2 *points;
     size_t count, capacity;
@@ -91,10 +92,18 @@ static void heed_mates(const cut *c, uint32_t h, uint32_t next, ktg_corner *corn
 static ktg_status put_corner(ktg_context *context, cut *c, uint32_t h, uint32_t next) {
     ktg_corner corner = corner_between(c, h, next);
     ktg_corner_path path;
+    double room = c->room[c->t->place_of[next]];
+    ktg_vec2 out[2] = {ktg_outward(corner.along[0]), ktg_outward(corner.along[1])};
+    if (room < fmax(corner.width[0], corner.width[1])) {
+        double width = fmin(room, fmin(corner.width[0], corner.width[1]));
+        return put(context, c, ktg_madd2(corner.at, width, ktg_unit2(ktg_add2(out[0], out[1]))));
+    }
     heed_mates(c, h, next, &corner);
     ktg_corner_go(&corner, &path);
     for (uint32_t i = 0; i < path.count; i++)
-        KTG_TRY(put(context, c, path.points[i]));
+        if (ktg_length2(ktg_sub2(path.points[i], corner.at)) <= room * (1 + 1e-9))
+            KTG_TRY(
+                put(context, c, path.points[i])); /* a corner that would reach too far is cut off */
     return KTG_OK;
 }
 
@@ -221,7 +230,7 @@ static bool cap_is_free(const cut *c, uint32_t h, uint32_t after, const passed_d
 
 void ktg_darts_keep_foldable(const ktg_cloth *cloth) {
     const ktg_topology *t = cloth->topology;
-    cut c = {.t = t, .options = cloth->options, .nudge = 1};
+    cut c = {.t = t, .options = cloth->options, .room = cloth->room, .nudge = 1};
     for (uint32_t k = 0; k < t->border_count; k++) {
         uint32_t h = t->border[k], first = ktg_border_next(t, h), apex;
         uint32_t seam = ktg_edge_at(t, first)->seam;
@@ -235,7 +244,7 @@ void ktg_darts_keep_foldable(const ktg_cloth *cloth) {
 }
 
 ktg_status ktg_cutting_line(ktg_context *context, const ktg_cloth *cloth, uint32_t p) {
-    cut c = {.t = cloth->topology, .options = cloth->options, .nudge = 1};
+    cut c = {.t = cloth->topology, .options = cloth->options, .room = cloth->room, .nudge = 1};
     ktg_pattern_piece *piece = &cloth->pattern->pieces[p];
     ktg_status status = clean(context, &c, p, piece);
     c.nudge = 1;

@@ -75,12 +75,16 @@ static ktg_status leave_out(ktg_context *context, const ktg_pipeline_options *op
     return KTG_OK;
 }
 
-ktg_status ktg_hand_take(ktg_context *context, const ktg_pipeline_options *options, ktg_mesh *mesh,
-                         ktg_hand *hand) {
+ktg_status ktg_hand_read(ktg_context *context, const ktg_pipeline_options *options,
+                         const ktg_mesh *mesh, ktg_hand *hand) {
     if (options->mode != KTG_PAPER && options->keep_count > 0)
         return ktg_fail(context, KTG_ARGUMENT,
                         "edges can be kept in paper, not in cloth: leave them out");
-    KTG_TRY(read_lists(context, options, mesh, hand));
+    return read_lists(context, options, mesh, hand);
+}
+
+ktg_status ktg_hand_take(ktg_context *context, const ktg_pipeline_options *options, ktg_mesh *mesh,
+                         ktg_hand *hand) {
     /* the model's own marks mean nothing to a net, and to cloth only where no file says more */
     if (options->mode == KTG_PAPER || options->cut_count > 0)
         KTG_TRY(mark_all(context, mesh, hand));

@@ -15,8 +15,12 @@ typedef struct ktg_hand {
     uint32_t rule_count;
 } ktg_hand;
 
-/* Reads the files and leaves out what is to be left out, of a model as it was read; the edges are
- * its only marks then. */
+/* Reads the files, for a model as it was read. */
+KTG_NODISCARD ktg_status ktg_hand_read(ktg_context *context, const ktg_pipeline_options *options,
+                                       const ktg_mesh *mesh, ktg_hand *hand);
+
+/* Then, where its vertices may have moved: leaves out what is to be left out; the edges are its
+ * only marks then. */
 KTG_NODISCARD ktg_status ktg_hand_take(ktg_context *context, const ktg_pipeline_options *options,
                                        ktg_mesh *mesh, ktg_hand *hand);
 

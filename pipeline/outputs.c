@@ -91,7 +91,7 @@ static const char *path_at(const ktg_pipeline_options *options, size_t i) {
     return i == options->output_count ? options->report : NULL;
 }
 
-/* The files of edges are somebody's work, too. */
+/* The files of edges, and the edit, are somebody's work, too. */
 static bool names_edges(const ktg_pipeline_options *options, const char *path) {
     for (size_t i = 0; i < options->keep_count; i++)
         if (same_file(path, options->keep[i]))
@@ -117,6 +117,9 @@ ktg_status ktg_outputs_check(ktg_context *context, const ktg_pipeline_options *o
             return ktg_fail(context, KTG_ARGUMENT,
                             "%s: is a file of edges or handles to be read; name another output",
                             path);
+        if (strcmp(path, "-") != 0 && options->edit && same_file(path, options->edit))
+            return ktg_fail(context, KTG_ARGUMENT,
+                            "%s: is the edit file to be read; name another output", path);
         for (size_t j = 0; j < i; j++)
             if (same_file(path, options->outputs[j]))
                 return ktg_fail(context, KTG_ARGUMENT,
@@ -214,12 +217,13 @@ ktg_status ktg_outputs_write(ktg_context *context, const ktg_pipeline_options *o
 }
 
 ktg_status ktg_outputs_write_report(ktg_context *context, const ktg_pipeline_options *options,
-                                    const ktg_pipeline_report *report, ktg_outputs *outputs) {
+                                    const ktg_pipeline_report *report, const ktg_pattern *pattern,
+                                    ktg_outputs *outputs) {
     ktg_output *output = NULL;
     if (!options->report)
         return KTG_OK;
     KTG_TRY(open_next(context, outputs, options->report, &output));
-    return ktg_pipeline_write_report(context, options, report, output);
+    return ktg_pipeline_write_report(context, options, report, pattern, output);
 }
 
 ktg_status ktg_outputs_finish(ktg_context *context, ktg_outputs *outputs) {

@@ -24,7 +24,7 @@ KTG_NODISCARD ktg_status ktg_outputs_write(ktg_context *context,
 KTG_NODISCARD ktg_status ktg_outputs_write_report(ktg_context *context,
                                                   const ktg_pipeline_options *options,
                                                   const ktg_pipeline_report *report,
-                                                  ktg_outputs *outputs);
+                                                  const ktg_pattern *pattern, ktg_outputs *outputs);
 
 /* All files reach the disk, beside their places; then all of them appear. */
 KTG_NODISCARD ktg_status ktg_outputs_finish(ktg_context *context, ktg_outputs *outputs);

@@ -14,6 +14,7 @@
 #define KTG_PIPELINE_PIPELINE_H
 
 #include "core/core.h"
+#include "deform/deform.h"
 #include "flatten/flatten.h"
 #include "layout/layout.h"
 #include "mesh/mesh.h"
@@ -55,6 +56,8 @@ typedef struct ktg_pipeline_options {
     ktg_mesh_format model_format;
     uint32_t faces; /* simplify to this many; 500 for paper, KTG_ALL_FACES for cloth */
 
+    const char *edit; /* an edit file (deform/deform.h) by which the model is changed as it is read,
+                         or NULL */
     const char *const *keep; /* keep_count files of edges that stay folds (ktg_mesh_read_edges) */
     const char *const *cut;  /* cut_count files of edges that are cut; both for paper only */
     const char *const *omit; /* omit_count groups, objects or materials whose faces are left out */
@@ -97,6 +100,7 @@ KTG_API void ktg_pipeline_defaults(ktg_pipeline_options *options);
 typedef struct ktg_pipeline_report {
     ktg_mesh_report
         model; /* as read, without what is left out; self-intersections not looked for */
+    ktg_deform_report deform; /* with an edit */
     ktg_repair_report repair;
     ktg_simplify_report simplify;
     ktg_unfold_report unfold;   /* paper */
@@ -116,9 +120,9 @@ typedef struct ktg_pipeline_report {
 /* Gives back what the report owns (flatten.panels); the figures stay. */
 KTG_API void ktg_pipeline_report_free(ktg_pipeline_report *report);
 
-/* Reads, leaves out, repairs, simplifies, unfolds (or flattens), scales, finishes, lays out,
- * renders and writes. All outputs are written beside their places first, brought to the disk and
- * then renamed together: when anything fails, no file is touched. The log says which files were
+/* Reads, deforms, leaves out, repairs, simplifies, unfolds (or flattens), scales, finishes, lays
+ * out, renders and writes. All outputs are written beside their places first, brought to the disk
+ * and then renamed together: when anything fails, no file is touched. The log says which files were
  * written. `report` may be NULL; after a failure it holds what was known by then;
  * it is freed by ktg_pipeline_report_free either way. KTG_ARGUMENT for
  * options that make no sense, an ending that is not known, a file that is to be written twice or is
@@ -127,12 +131,22 @@ KTG_API KTG_NODISCARD ktg_status ktg_pipeline_run(ktg_context *context,
                                                   const ktg_pipeline_options *options,
                                                   ktg_pipeline_report *report);
 
+/* What the log says of a deformation; ktg_pipeline_run does so itself. */
+KTG_API void ktg_pipeline_tell_deform(ktg_context *context, const ktg_deform_report *report);
+
+/* Its figures as JSON, as `katagami deform --report` writes them and, with "deform_" before each
+ * key, ktg_pipeline_write_report. */
+KTG_API KTG_NODISCARD ktg_status ktg_pipeline_write_deform(ktg_context *context,
+                                                           const ktg_deform_report *report,
+                                                           ktg_output *output);
+
 /* The report as JSON, as options->report gets it: faces, pieces, components, seams, tabs_full,
  * tabs_reduced, tabs_none, sheets, mm_per_unit, fill, seconds, seconds_unfold, stopped_by and more
- * (docs/report.md). */
+ * (docs/report.md); with a pattern (or NULL) of cloth, the lengths of its seams. */
 KTG_API KTG_NODISCARD ktg_status ktg_pipeline_write_report(ktg_context *context,
                                                            const ktg_pipeline_options *options,
                                                            const ktg_pipeline_report *report,
+                                                           const ktg_pattern *pattern,
                                                            ktg_output *output);
 
 /* ---- warping a piece ---------------------------------------------------------------------- */

@@ -1,6 +1,6 @@
 /* pipeline/report.c - the figures of a run as JSON. */
 #include "core/memory.h"
-#include "pipeline/pipeline.h"
+#include "pipeline/stages.h"
 
 #include <inttypes.h>
 
@@ -74,6 +74,23 @@ static ktg_status put_panels(ktg_context *context, ktg_output *output,
     return ktg_output_print(context, output, "]");
 }
 
+/* What is left of the difference between the two sides of each seam. */
+static ktg_status put_seams(ktg_context *context, ktg_output *output, const ktg_pattern *pattern) {
+    KTG_TRY(ktg_output_print(context, output, ",\n  \"seam_list\": ["));
+    for (size_t s = 0; s < pattern->seam_count; s++) {
+        const ktg_pattern_seam *seam = &pattern->seams[s];
+        double a = seam->lengths_mm[0], b = seam->lengths_mm[1];
+        KTG_TRY(ktg_output_print(context, output,
+                                 "%s\n    {\"id\": %zu, \"number\": %u, \"pieces\": [%u, %u], "
+                                 "\"length_mm\": [%.17g, %.17g], \"difference_mm\": %.17g, "
+                                 "\"difference_percent\": %.17g, \"dart\": %s}",
+                                 s > 0 ? "," : "", s + 1, seam->number, seam->pieces[0] + 1,
+                                 seam->pieces[1] + 1, a, b, a - b, 200 * (a - b) / (a + b),
+                                 seam->dart ? "true" : "false"));
+    }
+    return ktg_output_print(context, output, "]");
+}
+
 static ktg_status put_cloth(ktg_context *context, ktg_output *output,
                             const ktg_pipeline_report *r) {
     const ktg_flatten_report *f = &r->flatten;
@@ -107,7 +124,8 @@ static ktg_status put_cloth(ktg_context *context, ktg_output *output,
 }
 
 ktg_status ktg_pipeline_write_report(ktg_context *context, const ktg_pipeline_options *options,
-                                     const ktg_pipeline_report *r, ktg_output *output) {
+                                     const ktg_pipeline_report *r, const ktg_pattern *pattern,
+                                     ktg_output *output) {
     const figure figures[] = {{"faces_model", r->model.faces},
                               {"faces", r->faces},
                               {"pieces", r->pieces},
@@ -135,7 +153,11 @@ ktg_status ktg_pipeline_write_report(ktg_context *context, const ktg_pipeline_op
     KTG_TRY(ktg_output_print(context, output, "{\n  \"mode\": \"%s\"", paper ? "paper" : "cloth"));
     KTG_TRY(put_seed(context, output));
     KTG_TRY(put_figures(context, output, figures, sizeof figures / sizeof *figures));
+    if (options->edit)
+        KTG_TRY(ktg_pipeline_put_deform(context, output, &r->deform, "deform_"));
     KTG_TRY(paper ? put_paper(context, output, r) : put_cloth(context, output, r));
+    if (!paper && pattern)
+        KTG_TRY(put_seams(context, output, pattern));
     ktg_stopped_by stopped = r->flatten.interrupted ? KTG_STOPPED_INTERRUPT : r->unfold.stopped_by;
     KTG_TRY(put_text(context, output, "stopped_by", ktg_stopped_by_name(stopped)));
     return ktg_output_print(context, output, "\n}\n");

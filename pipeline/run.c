@@ -35,6 +35,22 @@ static void tell_repair(ktg_context *context, const ktg_repair_report *r) {
             ktg_log(context, KTG_LOG_NOTE, "repaired: %s: %u", done[i].what, done[i].count);
 }
 
+/* Deforms the model, if that is wanted. */
+static ktg_status change(ktg_context *context, const ktg_pipeline_options *options, ktg_mesh *mesh,
+                         ktg_pipeline_report *report) {
+    ktg_edit *edit = NULL;
+    if (!options->edit)
+        return KTG_OK;
+    ktg_status status = ktg_edit_read(context, options->edit, mesh, &edit);
+    if (status == KTG_OK)
+        status = ktg_about_file(context, options->model,
+                                ktg_deform_mesh(context, mesh, edit, &report->deform));
+    ktg_edit_free(&edit);
+    if (status == KTG_OK)
+        ktg_pipeline_tell_deform(context, &report->deform);
+    return status;
+}
+
 static ktg_status simplify(ktg_context *context, const ktg_pipeline_options *options,
                            ktg_mesh *mesh, ktg_pipeline_report *report) {
     report->simplify.faces_before = report->simplify.faces_after = mesh->face_count;
@@ -102,6 +118,8 @@ static ktg_status run(ktg_context *context, const ktg_pipeline_options *options,
         return KTG_MEMORY;
     ktg_progress(context, "read", 0, options->model);
     KTG_TRY(ktg_mesh_read(context, options->model, options->model_format, &j->mesh));
+    KTG_TRY(ktg_hand_read(context, options, j->mesh, &j->hand));
+    KTG_TRY(change(context, options, j->mesh, report));
     KTG_TRY(ktg_hand_take(context, options, j->mesh, &j->hand));
     KTG_TRY(ktg_about_file(context, options->model, shape(context, options, j, report)));
     ktg_pipeline_options with_title = *options;
@@ -112,7 +130,7 @@ static ktg_status run(ktg_context *context, const ktg_pipeline_options *options,
     with_title.render.marker = options->marker;
     KTG_TRY(ktg_outputs_write(context, &with_title, j->pattern, &j->outputs));
     report->seconds = ktg_clock_seconds() - j->start;
-    KTG_TRY(ktg_outputs_write_report(context, options, report, &j->outputs));
+    KTG_TRY(ktg_outputs_write_report(context, options, report, j->pattern, &j->outputs));
     KTG_TRY(ktg_check_cancel(context));
     KTG_TRY(ktg_outputs_finish(context, &j->outputs));
     if (options->made)

@@ -28,6 +28,12 @@ KTG_NODISCARD ktg_status ktg_stage_sheets(ktg_context *context, const ktg_stage 
 KTG_NODISCARD ktg_status ktg_stage_fill(ktg_context *context, const ktg_stage *stage,
                                         ktg_pattern **pattern);
 
+/* The figures of a deformation as keys of an open JSON object, `before` before each; with "" they
+ * are its first. */
+KTG_NODISCARD ktg_status ktg_pipeline_put_deform(ktg_context *context, ktg_output *output,
+                                                 const ktg_deform_report *report,
+                                                 const char *before);
+
 /* The last part of a path. */
 const char *ktg_base_name(const char *path);
 

@@ -62,7 +62,8 @@ typedef struct ktg_drawing {
     ktg_fold_segment *folds;
     size_t joint_count;
     ktg_joint_mark *joints;
-    unsigned kinds; /* which strokes occur, as bits */
+    unsigned kinds;        /* which strokes occur, as bits */
+    const uint32_t *tints; /* of the surface's faces in pictures of solids, 0xRRGGBB; NULL: white */
 } ktg_drawing;
 
 /* ---- options.c, folds.c, joints.c --------------------------------------------------------- */
@@ -350,6 +351,8 @@ bool ktg_solid_is_wanted(const ktg_drawing *drawing);
 /* The model in a square, seen from the front, or from behind, a little from the right and above. */
 KTG_NODISCARD ktg_status ktg_solid_draw(const ktg_drawing *drawing, cairo_t *cairo, ktg_area area,
                                         bool from_behind);
+/* Unit vectors of the model that point right and up in such a picture. */
+void ktg_solid_eye(unsigned up, bool from_behind, ktg_vec3 *right, ktg_vec3 *above);
 
 /* How many pages with the maps of posters come first in a PDF, and one of them (from 0). */
 size_t ktg_cover_count(const ktg_drawing *drawing);

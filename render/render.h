@@ -83,6 +83,22 @@ KTG_API KTG_NODISCARD ktg_status ktg_render_contact(ktg_context *context,
                                                     const ktg_render_options *options,
                                                     ktg_output *output);
 
+/* A surface to be looked at, in any unit; borrowed. */
+typedef struct ktg_render_shape {
+    uint32_t vertex_count, face_count;
+    const ktg_vec3 *vertices;
+    const uint32_t *faces; /* 3 face_count vertex indices */
+    const uint32_t *tints; /* face_count colours 0xRRGGBB, or NULL: white */
+} ktg_render_shape;
+
+/* The shapes as shaded solids side by side, all at one scale, in one PNG: seen from the front, a
+ * little from the right and above, with the edges of their faces where those are few. `up`: as in
+ * the options. KTG_ARGUMENT for a vertex that is not there or not finite; KTG_LIMIT for more than
+ * 2^31 corners. */
+KTG_API KTG_NODISCARD ktg_status ktg_render_shapes(ktg_context *context,
+                                                   const ktg_render_shape *shapes, size_t count,
+                                                   unsigned up, ktg_output *output);
+
 #ifdef __cplusplus
 }
 #endif

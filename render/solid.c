@@ -55,12 +55,15 @@ static ktg_vec3 to_model(unsigned up, ktg_vec3 v) {
     return v;
 }
 
-static void set_eye(solid *s, bool from_behind) {
-    unsigned up = s->drawing->options.up;
+void ktg_solid_eye(unsigned up, bool from_behind, ktg_vec3 *right, ktg_vec3 *above) {
     double turn = TURN + (from_behind ? KTG_PI : 0), c = cos(turn), n = sin(turn);
-    s->right = to_model(up, (ktg_vec3){c, 0, -n});
-    s->toward = to_model(up, (ktg_vec3){n * cos(RISE), sin(RISE), c * cos(RISE)});
-    s->up = ktg_cross3(s->toward, s->right);
+    *right = to_model(up, (ktg_vec3){c, 0, -n});
+    *above = ktg_cross3(to_model(up, (ktg_vec3){n * cos(RISE), sin(RISE), c * cos(RISE)}), *right);
+}
+
+static void set_eye(solid *s, bool from_behind) {
+    ktg_solid_eye(s->drawing->options.up, from_behind, &s->right, &s->up);
+    s->toward = ktg_cross3(s->right, s->up);
 }
 
 static ktg_vec2 seen(const solid *s, uint32_t vertex) {
@@ -137,9 +140,11 @@ static void paint(const solid *s, cairo_t *cairo, double mm) {
     cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
     for (uint32_t i = 0; i < s->drawing->pattern->face_count; i++) {
         uint32_t face = s->faces[i].face;
-        double grey = shade(s, face);
+        double grey = shade(s, face) / 255;
+        uint32_t tint = s->drawing->tints ? s->drawing->tints[face] : 0xffffff;
         path_of(s, cairo, face);
-        cairo_set_source_rgb(cairo, grey, grey, grey);
+        cairo_set_source_rgb(cairo, grey * (tint >> 16 & 255), grey * (tint >> 8 & 255),
+                             grey * (tint & 255));
         cairo_set_line_width(cairo, 0.04 * mm);
         cairo_fill_preserve(cairo);
         cairo_stroke(cairo); /* no hair of white between faces */

@@ -2,8 +2,9 @@
 
 from collections import namedtuple
 
-from . import (bird, blouse, egg, flatbar, fox, hat, house, lampshade, mask,
-               plush, polyhedra, robot, skirt, tshirt, tubes, whale)
+from . import (bird, blouse, doll, egg, flatbar, fox, hat, house, lampshade,
+               mask, plates, plush, polyhedra, robot, skirt, sleeve, tshirt,
+               tubes, whale)
 from .check import Promise
 
 # `digits` counts the decimals of the file's centimetres.
@@ -56,6 +57,19 @@ MODELS = [
           Promise(faces=(1000, 2000), borders=1, panels=8, **GARMENT)),
     Model("plush-whale", "plush whale", plush.build, 3,
           Promise(faces=(1500, 3500), panels=11, **GARMENT)),
+    Model("doll", "doll with its arms spread", doll.build, 3,
+          Promise(faces=(1000, 2000), edge=0.01, angle=20.0,
+                  clearance=0.05)),
+    Model("sleeve", "sleeve in one panel, open under the arm, in centimetres",
+          sleeve.build, 3, Promise(faces=(1000, 2000), borders=1, edge=0.01,
+                                   angle=15.0, clearance=0.05)),
+    Model("bracket", "bracket of thin plates: ribs, bolts, a cover",
+          plates.build_bracket, 4,
+          Promise(faces=(1000, 2000), components=2, ribs=50, edge=0.01,
+                  angle=15.0, clearance=0.05)),
+    Model("plates", "sixteen plates in a row", plates.build_row, 3,
+          Promise(faces=(512, 512), components=16, borders=16, edge=0.01,
+                  angle=40.0, clearance=0.05)),
     Model("dragon-egg", "dragon's egg, dense as a scan", egg.build, 3,
           Promise(faces=(20001, 30000), edge=0.0, angle=1.0,
                   starlike=(0.0, 0.0, 0.0))),

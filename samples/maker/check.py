@@ -14,11 +14,12 @@ from .panels import mirror_problems, panel_problems
 # `starlike` (every face visible from one inner point) cannot intersect
 # itself, which is far quicker to prove than testing pairs of triangles.  A
 # garment falls into `panels` along its groups and marked edges, each a disk,
-# and is its own mirror image.
+# and is its own mirror image.  One with `ribs` has so many edges at which more
+# than two faces meet, and no genus or borders to speak of.
 Promise = namedtuple(
     "Promise", "faces components genus borders edge angle clearance starlike "
-    "panels mirrored",
-    defaults=(1, 0, 0, 0.02, 10.0, 0.01, None, None, False))
+    "panels mirrored ribs",
+    defaults=(1, 0, 0, 0.02, 10.0, 0.01, None, None, False, 0))
 
 
 class Broken(Exception):
@@ -81,6 +82,9 @@ def unevenness(mesh, face):
 # -- how faces join ---------------------------------------------------------
 
 def topology_problems(mesh, promise):
+    if promise.ribs:
+        yield from rib_problems(mesh, promise)
+        return
     halves = [half for face in mesh.faces for half in neighbours(face)]
     if len(set(halves)) < len(halves):
         yield "faces overlap or turn against each other at an edge"
@@ -99,6 +103,20 @@ def topology_problems(mesh, promise):
     genus = len(parts) - (euler(mesh) + len(rims)) / 2
     if genus != promise.genus:
         yield "genus %g, not %d" % (genus, promise.genus)
+
+
+def rib_problems(mesh, promise):
+    beside = {}
+    for face in mesh.faces:
+        for a, b in neighbours(face):
+            edge = (min(a, b), max(a, b))
+            beside[edge] = beside.get(edge, 0) + 1
+    ribs = sum(1 for count in beside.values() if count > 2)
+    if ribs != promise.ribs:
+        yield "%d edges of ribs, not %d" % (ribs, promise.ribs)
+    parts = components(mesh)
+    if len(parts) != promise.components:
+        yield "%d components, not %d" % (len(parts), promise.components)
 
 
 def border_loops(halves):
@@ -166,7 +184,7 @@ def euler(mesh):
 
 def space_problems(mesh, promise):
     triangles = [t for face in mesh.faces for t in mesh.split(face)]
-    if promise.borders == 0:
+    if promise.borders == 0 and not promise.ribs:
         for part in components(mesh):
             if volume(mesh, part) <= 0.0:
                 yield "a component is inside out"

@@ -261,6 +261,32 @@ static void every_allocation_of_cholmod_may_fail(void **state) {
     assert_true(nth > 10);
 }
 
+static void another_ordering_gives_the_same_solution(void **state) {
+    ktg_context *context = *state;
+    enum { SIDE = 40, COUNT = SIDE * SIDE };
+    ktg_sparse_entry *entries = ktg_new(context, 9 * COUNT, ktg_sparse_entry);
+    double *values = ktg_new(context, 2 * COUNT, double);
+    assert_true(entries && values);
+    size_t count = grid_laplacian(SIDE, 0.01, entries);
+    for (int order = 0; order < 2; order++) {
+        ktg_factor *factor;
+        double *x = values + order * COUNT;
+        for (int i = 0; i < COUNT; i++)
+            x[i] = sin(i);
+        assert_int_equal(ktg_factor_new_ordered(context, COUNT, entries, count,
+                                                order ? KTG_ORDER_DISSECTION : KTG_ORDER_AMD,
+                                                &factor),
+                         KTG_OK);
+        assert_int_equal(ktg_factor_refill(context, factor, entries, count), KTG_OK);
+        assert_int_equal(ktg_factor_solve(context, factor, x, 1, x), KTG_OK);
+        ktg_factor_free(&factor);
+    }
+    for (int i = 0; i < COUNT; i++)
+        assert_true(fabs(values[i] - values[COUNT + i]) < 1e-10);
+    ktg_free(entries);
+    ktg_free(values);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(a_known_system_is_solved, make_context, drop_context),
@@ -278,6 +304,8 @@ int main(void) {
         cmocka_unit_test_setup_teardown(an_empty_system_is_no_error, make_context, drop_context),
         cmocka_unit_test_setup_teardown(every_allocation_may_fail, make_context, drop_context),
         cmocka_unit_test_setup_teardown(every_allocation_of_cholmod_may_fail, make_context,
+                                        drop_context),
+        cmocka_unit_test_setup_teardown(another_ordering_gives_the_same_solution, make_context,
                                         drop_context),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -18,7 +18,8 @@ def figures(program, root, command, model, *options):
 
 def main():
     program, root = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2])
-    written = figures(program, root, "unfold", "house.obj") | figures(
+    written = figures(
+        program, root, "unfold", "doll.obj", "--faces", "100", "--edit", root / "samples" / "doll-wave.edit") | figures(
         program, root, "flatten", "blouse-front.obj", "--unit", "cm", "--paper", "a0")
     table = [line.split("|")[1] for line in (root / "docs" / "report.md").read_text(encoding="utf-8").splitlines()
              if line.startswith("| `")]

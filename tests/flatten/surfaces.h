@@ -152,9 +152,9 @@ static inline double worst_of_panels(ktg_context *context, const garment *g, uin
         ktg_pattern *pattern;
         ktg_status status =
             ktg_flatten(context, parts.panels[p].mesh, "panel", NULL, &pattern, &report);
-        ktg_flatten_report_free(&report);
         assert_int_equal(status, KTG_OK);
         worst = fmax(worst, report.whole.area_beyond_limit);
+        ktg_flatten_report_free(&report);
         ktg_pattern_free(&pattern);
     }
     ktg_cut_surface_free(&parts);

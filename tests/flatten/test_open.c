@@ -43,6 +43,21 @@ static void holes_are_joined_to_the_border(void **state) {
     open_and_check(*state, &g, 1.5 - 1e-9, 1.5 + 1e-9);
 }
 
+static void many_holes_are_joined_at_once(void **state) {
+    ktg_mesh *mesh = grid_panel(*state, plane, 24);
+    uint32_t kept = 0;
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        uint32_t i = f / 2 % 24, j = f / 48;
+        bool hole = i % 4 == 2 && j % 4 == 2;
+        for (int k = 0; k < 3 && !hole; k++)
+            mesh->faces[3 * kept + k] = mesh->faces[3 * f + k];
+        kept += !hole;
+    }
+    mesh->face_count = kept;
+    garment g = garment_new(*state, mesh);
+    open_and_check(*state, &g, 6, 16); /* 36 holes, at least 2 or 3 edges each */
+}
+
 static void a_disk_stays_whole(void **state) {
     garment g = garment_new(*state, grid_panel(*state, saddle, 6));
     open_and_check(*state, &g, -1, 1e-9);
@@ -72,6 +87,7 @@ int main(void) {
         TEST(a_sphere_is_slit_from_end_to_end),
         TEST(a_torus_is_cut_around_and_along),
         TEST(holes_are_joined_to_the_border),
+        TEST(many_holes_are_joined_at_once),
         TEST(a_disk_stays_whole),
         TEST(short_memory_leaves_the_seams_as_they_were),
     };

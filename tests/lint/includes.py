@@ -10,14 +10,15 @@ import sys
 ROOMS = {
     "core": set(),
     "mesh": {"core"},
+    "deform": {"core", "mesh"},
     "pattern": {"core"},
     "unfold": {"core", "mesh", "pattern"},
     "flatten": {"core", "mesh", "pattern"},
     "layout": {"core", "pattern"},
     "render": {"core", "pattern", "layout"},
     "verify": {"core", "mesh", "pattern"},
-    "pipeline": {"core", "mesh", "pattern", "unfold", "flatten", "layout", "render", "verify"},
-    "cli": {"core", "mesh", "pattern", "unfold", "flatten", "layout", "render", "verify", "pipeline"},
+    "pipeline": {"core", "mesh", "deform", "pattern", "unfold", "flatten", "layout", "render", "verify"},
+    "cli": {"core", "mesh", "deform", "pattern", "unfold", "flatten", "layout", "render", "verify", "pipeline"},
 }
 # core's toolbox: shared between rooms beside its public header
 TOOLBOX = {"core/" + name for name in

@@ -74,6 +74,39 @@ static void a_hem_is_as_wide_as_what_it_is_turned_up_on(void **state) {
     ktg_pattern_free(&p);
 }
 
+/* A horseshoe whose ends nearly meet around a hollow of 100 x 100: the hems of the ends share the
+ * gap of 12 mm, and the hollow stays open to the outside. */
+static void allowances_share_a_narrow_gap(void **state) {
+    const cloth_piece piece = {"shoe",
+                               12,
+                               {{200, 200},
+                                {200, 300},
+                                {-100, 300},
+                                {-100, -100},
+                                {44, -100},
+                                {44, 0},
+                                {0, 0},
+                                {0, 100},
+                                {100, 100},
+                                {100, 0},
+                                {56, 0},
+                                {56, -100}},
+                               {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}};
+    ktg_vec3 positions[12];
+    for (int k = 0; k < 12; k++)
+        positions[k] = (ktg_vec3){piece.points[k].x, piece.points[k].y, 0};
+    ktg_pattern *p = cloth_make(*state, &piece, 1, positions, 12);
+    finish(*state, p, NULL);
+    bool hollow = false, gap = false;
+    for (size_t i = 0; i < p->pieces[0].outline_count; i++) {
+        ktg_vec2 q = p->pieces[0].outline[i];
+        hollow = hollow || (q.x > 10 && q.x < 90 && q.y > 10 && q.y < 90);
+        gap = gap || (q.x > 44 && q.x < 50 && q.y > -110 && q.y < 10);
+    }
+    assert_true(hollow && gap);
+    ktg_pattern_free(&p);
+}
+
 /* ---- darts -------------------------------------------------------------------------------- */
 
 static void a_dart_is_folded_under_a_peak(void **state) {
@@ -248,6 +281,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(seams_and_hems_have_allowances_of_their_own),
         cmocka_unit_test(a_hem_is_as_wide_as_what_it_is_turned_up_on),
+        cmocka_unit_test(allowances_share_a_narrow_gap),
         cmocka_unit_test(a_dart_is_folded_under_a_peak),
         cmocka_unit_test(what_opens_wide_is_no_dart),
         cmocka_unit_test(notches_meet),

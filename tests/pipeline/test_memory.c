@@ -72,6 +72,20 @@ static void a_net_with_a_hand_on_its_seams_needs_its_memory(void **state) {
     starve(b);
 }
 
+static void a_model_that_is_changed_first_needs_its_memory(void **state) {
+    bench *b = *state;
+    char edit[128];
+    bench_sample(b, "star.obj");
+    bench_write(b, "up.edit",
+                "[fixed f]\nset = halfspace 0 0 0  0 -1 0\n"
+                "[handle h]\nset = halfspace 0 3 0  0 1 0\nmove = 0 1 0\n");
+    strcpy(edit, bench_path(b, "up.edit"));
+    b->options.edit = edit;
+    b->options.unfold.seconds = 0.01;
+    bench_output(b, "net.json");
+    starve(b);
+}
+
 static void a_poster_needs_its_memory(void **state) {
     bench *b = *state;
     bench_sample(b, "star.obj");
@@ -135,6 +149,8 @@ int main(void) {
                                         bench_teardown),
         cmocka_unit_test_setup_teardown(a_net_with_a_hand_on_its_seams_needs_its_memory,
                                         bench_setup, bench_teardown),
+        cmocka_unit_test_setup_teardown(a_model_that_is_changed_first_needs_its_memory, bench_setup,
+                                        bench_teardown),
         cmocka_unit_test_setup_teardown(a_poster_needs_its_memory, bench_setup, bench_teardown),
         cmocka_unit_test_setup_teardown(one_page_and_many_sheets_need_their_memory, bench_setup,
                                         bench_teardown),
