@@ -331,6 +331,24 @@ static void handles_are_led_where_refinement_cannot_help(void **state) {
     }
 }
 
+/* The middle of a fine square, nearly to its side: only sweeps over single vertices make room. */
+static void a_fine_mesh_takes_sweeps(void **state) {
+    enum { FINE = 40, FINE_COUNT = (FINE + 1) * (FINE + 1) };
+    ktg_context *context = *state;
+    ktg_mesh *mesh = grid_panel(context, square, FINE);
+    ktg_shape *shape;
+    assert_int_equal(ktg_shape_register(context, mesh, KTG_WEIGHT_UNIT, &shape), KTG_OK);
+    ktg_handle handles[] = {at(context, shape, 2, 50), at(context, shape, 50, 50),
+                            at(context, shape, 98, 50)};
+    ktg_vec2 targets[] = {{2, 50}, {90, 50}, {98, 50}}, positions[FINE_COUNT];
+    bool arrived;
+    compile(context, shape, handles, 3);
+    assert_int_equal(ktg_shape_lead(context, shape, targets, positions, &arrived), KTG_OK);
+    assert_true(arrived && measured(shape, targets, positions).folded_faces == 0);
+    ktg_shape_free(&shape);
+    ktg_mesh_free(&mesh);
+}
+
 /* Two points of a triangle change places: no way leads there. */
 static void handles_that_cannot_arrive_leave_everything_as_it_was(void **state) {
     ktg_context *context = *state;
@@ -460,6 +478,7 @@ int main(void) {
         TEST(refinement_brings_back_what_was_folded_and_keeps_handles),
         TEST(refinement_ends_where_the_energy_is_least),
         TEST(handles_are_led_where_refinement_cannot_help),
+        TEST(a_fine_mesh_takes_sweeps),
         TEST(handles_that_cannot_arrive_leave_everything_as_it_was),
         TEST(what_is_no_flat_shape_is_refused),
         TEST(handles_that_make_no_sense_are_refused),
