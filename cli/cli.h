@@ -39,6 +39,9 @@ typedef struct settings {
     const char *arguments[2];   /* what is not an option */
     int argument_count;
     bool faces_given, oversize_given;
+    const char *handles; /* of warp: a file */
+    ktg_warp_options warp;
+    bool sheet_given, allowance_given, hem_given, notch_given;
     const char *size_given; /* the option that said how large it becomes */
     char complaint[256];    /* why a value was refused, where its option knows more than its form */
     uint64_t seed;
@@ -53,7 +56,8 @@ enum {
     CMD_SIMPLIFY = 4,
     CMD_INFO = 8,
     CMD_VERIFY = 16,
-    CMD_DEFORM = 32
+    CMD_DEFORM = 32,
+    CMD_WARP = 64
 };
 
 /* Reads the command line of one command (argv[0] is its name). False, with a sentence on standard
@@ -121,5 +125,6 @@ exit_code command_deform(int argc, char **argv);
 exit_code command_simplify(int argc, char **argv);
 exit_code command_info(int argc, char **argv);
 exit_code command_verify(int argc, char **argv);
+exit_code command_warp(int argc, char **argv);
 
 #endif

@@ -11,6 +11,7 @@ static const char usage[] =
     "  flatten MODEL         a cloth pattern with seams, allowances and notches\n"
     "  deform MODEL          the model with parts moved, resized, bent, as an edit file says\n"
     "  simplify MODEL        the model with fewer faces\n"
+    "  warp SHAPE            a flat shape or a piece of a pattern, moved by a few points\n"
     "  info MODEL            what is in a model, and what is wrong with it\n"
     "  verify PATTERN.json   proves a pattern, or says why it is not sound\n\n"
     "katagami COMMAND --help tells more; katagami --version.\n";
@@ -20,7 +21,8 @@ static const struct {
     exit_code (*run)(int argc, char **argv);
 } commands[] = {{"unfold", command_unfold}, {"flatten", command_flatten},
                 {"deform", command_deform}, {"simplify", command_simplify},
-                {"info", command_info},     {"verify", command_verify}};
+                {"warp", command_warp},     {"info", command_info},
+                {"verify", command_verify}};
 
 /* Words on standard output count only when they got there. */
 static exit_code flushed(exit_code code) {

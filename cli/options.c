@@ -12,7 +12,7 @@
 #define LONGEST_PAGE_MM 5000
 
 #define PAPER   (CMD_UNFOLD | CMD_FLATTEN)
-#define EVERY   (PAPER | CMD_DEFORM | CMD_SIMPLIFY | CMD_INFO | CMD_VERIFY)
+#define EVERY   (PAPER | CMD_DEFORM | CMD_SIMPLIFY | CMD_INFO | CMD_VERIFY | CMD_WARP)
 #define LARGEST 1e9
 
 static bool parse_number(const char *text, double least, double most, double *number) {
@@ -184,6 +184,7 @@ static bool set_paper(settings *s, const char *text) {
         return false;
     ktg_status status = ktg_sheet_parse(context, text, &s->pipeline.layout.sheet);
     s->pipeline.layout.roll = s->pipeline.marker = false;
+    s->sheet_given = true;
     if (status != KTG_OK)
         snprintf(s->complaint, sizeof s->complaint, "%s", ktg_context_message(context));
     ktg_context_free(&context);
@@ -200,6 +201,7 @@ static bool set_roll(settings *s, const char *text) {
     sheet->height_mm = LONGEST_PAGE_MM;
     strcpy(sheet->name, "the roll");
     s->pipeline.marker = false;
+    s->sheet_given = true;
     return s->pipeline.layout.roll = true;
 }
 
@@ -219,6 +221,7 @@ static bool set_nap(settings *s, const char *text) {
 
 static bool set_landscape(settings *s, const char *text) {
     (void)text;
+    s->sheet_given = true;
     ktg_sheet_format *sheet = &s->pipeline.layout.sheet;
     if (ktg_layout_is_page(sheet)) {
         snprintf(s->complaint, sizeof s->complaint,
@@ -234,6 +237,7 @@ static bool set_landscape(settings *s, const char *text) {
 }
 
 static bool set_margin(settings *s, const char *text) {
+    s->sheet_given = true;
     return cli_parse_length(text, &s->pipeline.layout.sheet.margin_mm);
 }
 
@@ -423,6 +427,24 @@ static bool set_help(settings *s, const char *text) {
     return s->help = true;
 }
 
+static bool set_handles(settings *s, const char *text) {
+    s->handles = text;
+    return *text != 0;
+}
+
+static bool set_warp_weight(settings *s, const char *text) {
+    static const char *const weights[] = {"cotangent", "unit", NULL};
+    int weight = word_index(text, weights);
+    s->warp.weight = weight == 1 ? KTG_WEIGHT_UNIT : KTG_WEIGHT_COTANGENT;
+    return weight >= 0;
+}
+
+static bool set_refine(settings *s, const char *text) {
+    s->warp.refine = KTG_NONE;
+    return strcmp(text, "auto") == 0 ||
+           (parse_count32(text, 0, &s->warp.refine) && s->warp.refine <= 100000);
+}
+
 typedef struct option_line {
     const char *name;
     char letter;
@@ -440,6 +462,13 @@ static const option_line lines[] = {
     {"edit", 0, "FILE", PAPER, set_edit, "change the model first, as deform does"},
     {"sets", 0, "FILE.obj", CMD_DEFORM, set_sets, "write what the edit selects, as groups"},
     {"preview", 0, "FILE.png", CMD_DEFORM, set_preview, "draw the model before and after"},
+    {"output", 'o', "FILE", CMD_WARP, set_output,
+     "what to write, by its ending; of a pattern may be given several times"},
+    {"handles", 0, "FILE", CMD_WARP, set_handles, "which points go where"},
+    {"refine", 0, "N|auto", CMD_WARP, set_refine,
+     "N rounds that make it more rigid; auto: only where faces fold over (auto)"},
+    {"weights", 0, "cotangent|unit", CMD_WARP, set_warp_weight,
+     "weights of the edges; unit is the paper's (cotangent)"},
     {"faces", 'f', "N|all", PAPER | CMD_SIMPLIFY, set_faces, "simplify to N faces, at least 4"},
     {"keep", 0, "FILE", CMD_UNFOLD, set_keep,
      "edges that stay folds: lines of vertex numbers, or OBJ l elements"},
@@ -466,21 +495,22 @@ static const option_line lines[] = {
     {"sheets", 0, "N", CMD_UNFOLD, set_sheets, "as large as N sheets allow (1)"},
     {"unit", 0, "mm|cm|m|in", CMD_FLATTEN, set_unit, "the unit of the model file"},
     {"up", 0, "x|y|z", PAPER | CMD_DEFORM, set_up, "which axis is height (STL: z, others: y)"},
-    {"paper", 'p', "FORMAT", PAPER, set_paper,
+    {"paper", 'p', "FORMAT", PAPER | CMD_WARP, set_paper,
      "a0 ... a6, letter, legal, tabloid, ..., WxH, or fit: one page (a4)"},
-    {"landscape", 0, NULL, PAPER, set_landscape, "turn the sheet"},
-    {"roll", 0, "WIDTH", PAPER, set_roll,
+    {"landscape", 0, NULL, PAPER | CMD_WARP, set_landscape, "turn the sheet"},
+    {"roll", 0, "WIDTH", PAPER | CMD_WARP, set_roll,
      "instead of sheets: pages of that width, cut off where the pieces end"},
     {"fabric-width", 0, "WIDTH", CMD_FLATTEN, set_fabric_width,
      "a marker: all pieces on fabric of that width, and how much of it they take"},
     {"nap", 0, NULL, CMD_FLATTEN, set_nap, "the cloth has a nap: no piece lies head down"},
-    {"margin", 0, "LENGTH", PAPER, set_margin, "left free on every side of a sheet (10mm)"},
-    {"gap", 0, "LENGTH", PAPER, set_gap, "between pieces (2mm)"},
+    {"margin", 0, "LENGTH", PAPER | CMD_WARP, set_margin,
+     "left free on every side of a sheet (10mm)"},
+    {"gap", 0, "LENGTH", PAPER | CMD_WARP, set_gap, "between pieces (2mm)"},
     {"oversize", 0, "split|tile|scale|error", CMD_UNFOLD, set_oversize,
      "what is larger than a sheet: divide it, spread it over sheets, shrink all, fail (split)"},
     {"oversize", 0, "tile|scale|error", CMD_FLATTEN, set_oversize_flatten,
      "what is larger than a sheet: spread it over sheets, shrink it, or fail (tile)"},
-    {"overlap", 0, "LENGTH", PAPER, set_overlap, "of the sheets of a poster (10mm)"},
+    {"overlap", 0, "LENGTH", PAPER | CMD_WARP, set_overlap, "of the sheets of a poster (10mm)"},
     {"pieces", 0, "N", CMD_UNFOLD, set_pieces,
      "divide every part of the model into N pieces; with a size, more where they do not fit"},
     {"max-faces-per-piece", 0, "N", CMD_UNFOLD, set_piece_faces, "no piece has more faces"},
@@ -491,16 +521,17 @@ static const option_line lines[] = {
     {"folds", 0, "dashed|solid", CMD_UNFOLD, set_folds,
      "mountain dashed, valley dash-dot; or mountain solid, valley dashed (dashed)"},
     {"flat", 0, "DEGREES", CMD_UNFOLD, set_flat, "folds flatter than this are not drawn (1)"},
-    {"allowance", 0, "LENGTH", CMD_FLATTEN, cli_set_allowance, "along seams (10mm)"},
-    {"hem", 0, "LENGTH", CMD_FLATTEN, cli_set_hem, "along borders that are sewn to nothing (20mm)"},
-    {"notch", 0, "LENGTH|none", CMD_FLATTEN, cli_set_notch,
+    {"allowance", 0, "LENGTH", CMD_FLATTEN | CMD_WARP, cli_set_allowance, "along seams (10mm)"},
+    {"hem", 0, "LENGTH", CMD_FLATTEN | CMD_WARP, cli_set_hem,
+     "along borders that are sewn to nothing (20mm)"},
+    {"notch", 0, "LENGTH|none", CMD_FLATTEN | CMD_WARP, cli_set_notch,
      "length of the marks that meet when a seam is sewn (5mm)"},
-    {"notch-every", 0, "LENGTH", CMD_FLATTEN, cli_set_notch_every,
+    {"notch-every", 0, "LENGTH", CMD_FLATTEN | CMD_WARP, cli_set_notch_every,
      "a seam has a mark for each such length (250mm)"},
     {"on-fold", 0, "PANEL", CMD_FLATTEN, cli_set_on_fold,
      "cut that symmetric panel on the fold of the cloth: half of it is printed; may be given "
      "several times"},
-    {"no-strain-map", 0, NULL, CMD_FLATTEN, cli_set_no_strain_map,
+    {"no-strain-map", 0, NULL, CMD_FLATTEN | CMD_WARP, cli_set_no_strain_map,
      "leave out the PDF's page that shows where the cloth strains"},
     {"no-twins", 0, NULL, CMD_FLATTEN, cli_set_no_twins,
      "print each panel, also the mirror image of another one"},
@@ -526,8 +557,8 @@ static const option_line lines[] = {
     {"threads", 0, "N", CMD_UNFOLD, set_threads,
      "processors to use at most (all); the net is the same for any number"},
     {"time", 0, "SECONDS", CMD_UNFOLD, set_time, "stop searching after that time"},
-    {"black", 0, NULL, PAPER, set_black, "no colours"},
-    {"dpi", 0, "N", PAPER, set_dpi, "resolution of PNG pictures (150)"},
+    {"black", 0, NULL, PAPER | CMD_WARP, set_black, "no colours"},
+    {"dpi", 0, "N", PAPER | CMD_WARP, set_dpi, "resolution of PNG pictures (150)"},
     {"svg-unit", 0, "mm|px72|px96", PAPER, set_svg_unit,
      "what a unit of an SVG is, for cutters that read pixels (mm)"},
     {"real-dashes", 0, NULL, PAPER, set_real_dashes,
@@ -642,6 +673,7 @@ bool cli_read_options(int argc, char **argv, int command, int least_arguments, i
                       settings *s) {
     *s = (settings){.seed = 1};
     ktg_pipeline_defaults(&s->pipeline);
+    ktg_warp_defaults(&s->warp);
     if (!run_options(argc, argv, command, false, s) || !run_options(argc, argv, command, true, s))
         return false;
     if (s->help)

@@ -125,14 +125,17 @@ static bool set_length(const char *text, double *mm) {
 }
 
 bool cli_set_allowance(settings *s, const char *text) {
+    s->allowance_given = true;
     return set_length(text, &s->pipeline.finish.allowance_mm);
 }
 
 bool cli_set_hem(settings *s, const char *text) {
+    s->hem_given = true;
     return set_length(text, &s->pipeline.finish.hem_mm);
 }
 
 bool cli_set_notch(settings *s, const char *text) {
+    s->notch_given = true;
     if (strcmp(text, "none") != 0)
         return set_length(text, &s->pipeline.finish.notch_mm);
     s->pipeline.finish.notch_mm = 0;

@@ -144,6 +144,133 @@ KTG_API KTG_NODISCARD ktg_status ktg_flatten(ktg_context *context, const ktg_mes
                                              const char *name, const ktg_flatten_options *options,
                                              ktg_pattern **pattern, ktg_flatten_report *report);
 
+/* ---- handles ------------------------------------------------------------------------------ */
+
+/* A flat shape that follows a few points of it, as rigidly as it can: sections 3 to 6 of the same
+ * paper. docs/warp.md says what is done otherwise.
+ *
+ *     ktg_shape_register   the rest shape: both linear systems are factored
+ *     ktg_shape_compile    which points are handles
+ *     ktg_shape_update     where the handles are now: no factor, a few products and one solve
+ *
+ * A shape is used by one thread at a time. */
+typedef struct ktg_shape ktg_shape;
+
+/* A point of the shape: its place in a triangle, as parts of three vertices that add up to 1 (a
+ * vertex itself: parts 1, 0, 0). */
+typedef struct ktg_handle {
+    uint32_t vertices[3];
+    double parts[3];
+    double weight; /* 0: the point is exactly where it is wanted; > 0: w of the paper's equation 1
+                      (which says 1000), and the point is nearly there */
+} ktg_handle;
+
+/* Takes a mesh with z = 0 (or any other constant): one sheet of triangles in one part, holes are
+ * fine, no face turned over. It is copied. Vertices that belong to no face stay where they are.
+ * KTG_GEOMETRY says what it is instead. *shape: freed by ktg_shape_free, NULL on failure. */
+KTG_API KTG_NODISCARD ktg_status ktg_shape_register(ktg_context *context, const ktg_mesh *rest,
+                                                    ktg_edge_weight weight, ktg_shape **shape);
+KTG_API void ktg_shape_free(ktg_shape **shape);
+
+/* The handle at a point of the rest shape; a point outside by no more than 1e-6 of the shape's size
+ * counts as on its border. KTG_GEOMETRY where it is further outside. */
+KTG_API KTG_NODISCARD ktg_status ktg_shape_handle_at(ktg_context *context, const ktg_shape *shape,
+                                                     ktg_vec2 point, ktg_handle *handle);
+KTG_API ktg_handle ktg_handle_at_vertex(uint32_t vertex);
+
+/* The handles (count, copied) take the place of those before. With one handle the shape is only
+ * moved, with none it stays. KTG_ARGUMENT for a vertex that is not there, parts that do not add up
+ * to 1, a weight below 0; KTG_GEOMETRY for handles in the same place; KTG_LIMIT where vertices x
+ * handles go beyond 2^25. After a failure there are no handles. */
+KTG_API KTG_NODISCARD ktg_status ktg_shape_compile(ktg_context *context, ktg_shape *shape,
+                                                   const ktg_handle *handles, uint32_t count);
+
+/* targets: where each handle is wanted; positions: vertex_count, out. KTG_ARGUMENT for a target
+ * that is not finite. */
+KTG_API KTG_NODISCARD ktg_status ktg_shape_update(ktg_context *context, ktg_shape *shape,
+                                                  const ktg_vec2 *targets, ktg_vec2 *positions);
+
+/* The first step alone, which lets the shape grow and shrink (the paper's figure 2, middle). */
+KTG_API KTG_NODISCARD ktg_status ktg_shape_update_similar(ktg_context *context, ktg_shape *shape,
+                                                          const ktg_vec2 *targets,
+                                                          ktg_vec2 *positions);
+
+/* Makes positions more rigid, by up to `rounds` steps of local/global iteration with the same
+ * factor; handles keep their places. Ends early when the energy no longer falls. Most faces that
+ * the two steps fold over come back. `rounds_done` may be NULL. */
+KTG_API KTG_NODISCARD ktg_status ktg_shape_refine(ktg_context *context, ktg_shape *shape,
+                                                  const ktg_vec2 *targets, uint32_t rounds,
+                                                  ktg_vec2 *positions, uint32_t *rounds_done);
+
+/* A way around folds: from the rest shape, turned as the handles ask for, these are led to their
+ * targets such that no face loses its area, while the shape relaxes under the symmetric Dirichlet
+ * energy. Slower (seconds at 20,000 vertices) and less rigid; ends early, without having arrived,
+ * when the caller wants to finish. *arrived is false, and positions are as they were, where the
+ * handles could not be brought there. */
+KTG_API KTG_NODISCARD ktg_status ktg_shape_lead(ktg_context *context, ktg_shape *shape,
+                                                const ktg_vec2 *targets, ktg_vec2 *positions,
+                                                bool *arrived);
+
+/* What positions do to the rest shape. */
+typedef struct ktg_shape_report {
+    uint32_t faces, folded_faces; /* turned over, or less than a millionth of their area left */
+    uint32_t first_folded;        /* its number, or KTG_NONE */
+    double energy;                /* sum A ((s1 - 1)^2 + (s2 - 1)^2) / sum A, s2 signed */
+    double stretch_least, stretch_most; /* over all faces: s2 and s1 */
+    double handle_error; /* the largest distance of a handle from where it is wanted */
+} ktg_shape_report;
+
+/* `folded`: face_count, true for folded faces, or NULL. */
+KTG_API void ktg_shape_measure(const ktg_shape *shape, const ktg_vec2 *targets,
+                               const ktg_vec2 *positions, bool *folded, ktg_shape_report *report);
+
+/* Handles as a file names them, and where they are to go. */
+typedef struct ktg_handle_list {
+    uint32_t count;
+    ktg_handle *handles;
+    ktg_vec2 *targets;
+    uint32_t *lines; /* where each stands */
+} ktg_handle_list;
+
+/* Reads a file of handles ("-": standard input), one on each line; # begins a comment:
+ *
+ *     vertex 17 -> 120 40          a vertex, numbered from 1, goes there
+ *     at 30 55 -> 35 60            the point of the rest shape at 30 55 goes there
+ *     vertex 17 by 10 -5           goes so far
+ *     hold vertex 3                stays; also: hold at 30 55
+ *     ... weight 1000              nearly, not exactly
+ *
+ * KTG_FILE, KTG_FORMAT with file and line: an unknown word, not a finite number, a number a million
+ * times as large as the shape, no such vertex, outside the shape, the same place twice, no handle
+ * at all. *list: freed by ktg_handle_list_free, whatever the status. */
+KTG_API KTG_NODISCARD ktg_status ktg_handles_read(ktg_context *context, const char *path,
+                                                  const ktg_shape *shape, ktg_handle_list *list);
+KTG_API void ktg_handle_list_free(ktg_handle_list *list);
+
+/* How a mesh is warped by a file of handles. */
+typedef struct ktg_warp_options {
+    ktg_edge_weight weight; /* cotangents (default), or 1 as in the paper */
+    uint32_t refine;        /* rounds of refinement; KTG_NONE (default): only where faces fold over,
+                               200 at most, and ktg_shape_lead where that does not help */
+} ktg_warp_options;
+
+KTG_API void ktg_warp_defaults(ktg_warp_options *options);
+
+typedef struct ktg_warp_report {
+    ktg_shape_report shape;
+    uint32_t handles;
+    uint32_t folded_before; /* faces that the two steps folded over */
+    uint32_t rounds;        /* of refinement */
+    bool led;               /* it took ktg_shape_lead to be without folds */
+    bool crossed;           /* no face is folded, but the border crosses itself */
+} ktg_warp_report;
+
+/* Reads handles and moves the vertices of a flat mesh: register, compile, update, and refinement.
+ * NULL options: the defaults; report may be NULL. Folded faces are only reported. On failure the
+ * mesh is as it was. */
+KTG_API KTG_NODISCARD ktg_status ktg_warp(ktg_context *context, ktg_mesh *mesh, const char *handles,
+                                          const ktg_warp_options *options, ktg_warp_report *report);
+
 #ifdef __cplusplus
 }
 #endif

@@ -128,6 +128,10 @@ ktg_ring_energy ktg_ring_energy_of(const ktg_panel *panel, const ktg_rest *rests
  * fold and gets none. */
 void ktg_relax(const ktg_panel *panel, const ktg_rest *rests, ktg_vec2 *flat);
 
+/* One vertex, which one fan of faces surrounds. */
+void ktg_relax_vertex(const ktg_panel *panel, const ktg_rest *rests, ktg_vec2 *flat,
+                      uint32_t vertex);
+
 /* ---- descent.c ---------------------------------------------------------------------------- */
 
 /* Edges that are to have a given length: each adds stiffness / 2 (|edge| - length)^2. */

@@ -81,6 +81,10 @@ KTG_NODISCARD ktg_status ktg_neighbourhoods_new(ktg_context *context, const ktg_
 void ktg_neighbourhood_similarity(const ktg_neighbourhood *neighbourhood, uint32_t base,
                                   ktg_vec2 factors[4]);
 
+/* The residual (z_b - z_a) - T (b' - a') of equation 4, as factors of the neighbourhood's z. */
+void ktg_neighbourhood_residual(const ktg_neighbourhood *neighbourhood, uint32_t base,
+                                ktg_vec2 factors[4]);
+
 /* Products of complex numbers: a b, and conj(a) b. */
 static inline ktg_vec2 ktg_turn(ktg_vec2 a, ktg_vec2 b) {
     return (ktg_vec2){a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};

@@ -91,3 +91,11 @@ void ktg_neighbourhood_similarity(const ktg_neighbourhood *neighbourhood, uint32
     }
     factors[base] = rest;
 }
+
+void ktg_neighbourhood_residual(const ktg_neighbourhood *n, uint32_t base, ktg_vec2 factors[4]) {
+    ktg_neighbourhood_similarity(n, base, factors);
+    for (uint32_t v = 0; v < n->count; v++)
+        factors[v] = ktg_mul2(factors[v], -n->flat[1].x);
+    factors[0].x -= 1;
+    factors[1].x += 1;
+}

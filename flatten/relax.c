@@ -54,8 +54,7 @@ static ktg_vec2 newton_step(const ktg_ring_energy *e) {
                       (e->xy * e->slope.x - e->xx * e->slope.y) / determinant};
 }
 
-static void relax_vertex(const ktg_panel *panel, const ktg_rest *rests, ktg_vec2 *flat,
-                         uint32_t v) {
+void ktg_relax_vertex(const ktg_panel *panel, const ktg_rest *rests, ktg_vec2 *flat, uint32_t v) {
     ktg_vec2 from = flat[v];
     ktg_ring_energy e = ktg_ring_energy_of(panel, rests, flat, v);
     ktg_vec2 step = newton_step(&e);
@@ -69,5 +68,5 @@ static void relax_vertex(const ktg_panel *panel, const ktg_rest *rests, ktg_vec2
 
 void ktg_relax(const ktg_panel *panel, const ktg_rest *rests, ktg_vec2 *flat) {
     for (uint32_t v = 0; v < panel->vertex_count; v++)
-        relax_vertex(panel, rests, flat, v);
+        ktg_relax_vertex(panel, rests, flat, v);
 }

@@ -62,19 +62,10 @@ static void add_coupling(hermitian_system *system, uint32_t row_vertex, uint32_t
         system->entries[system->entry_count++] = (ktg_hermitian_entry){row, column, value};
 }
 
-/* The residual (z_b - z_a) - T (b' - a') of equation 4, as factors of the neighbourhood's z. */
-static void edge_residual(const ktg_neighbourhood *n, uint32_t base, ktg_vec2 factors[4]) {
-    ktg_neighbourhood_similarity(n, base, factors);
-    for (uint32_t v = 0; v < n->count; v++)
-        factors[v] = ktg_mul2(factors[v], -n->flat[1].x);
-    factors[0].x -= 1;
-    factors[1].x += 1;
-}
-
 static void add_edge(hermitian_system *system, const ktg_neighbourhood *n) {
     ktg_vec2 from_a[4], from_b[4];
-    edge_residual(n, 0, from_a);
-    edge_residual(n, 1, from_b);
+    ktg_neighbourhood_residual(n, 0, from_a);
+    ktg_neighbourhood_residual(n, 1, from_b);
     for (uint32_t u = 0; u < n->count; u++)
         for (uint32_t v = 0; v < n->count; v++) {
             ktg_vec2 value =
@@ -108,7 +99,7 @@ static void descend(hermitian_system *system, const ktg_edges *edges, const ktg_
         const ktg_neighbourhood *n = &edges->neighbourhoods[e];
         for (uint32_t base = 0; base < 2; base++) {
             ktg_vec2 factors[4], residual = {0, 0};
-            edge_residual(n, base, factors);
+            ktg_neighbourhood_residual(n, base, factors);
             for (uint32_t v = 0; v < n->count; v++)
                 residual = ktg_add2(residual, ktg_turn(factors[v], positions[n->vertices[v]]));
             for (uint32_t v = 0; v < n->count; v++) {

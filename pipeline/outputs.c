@@ -115,7 +115,8 @@ ktg_status ktg_outputs_check(ktg_context *context, const ktg_pipeline_options *o
                             path);
         if (strcmp(path, "-") != 0 && names_edges(options, path))
             return ktg_fail(context, KTG_ARGUMENT,
-                            "%s: is a file of edges to be read; name another output", path);
+                            "%s: is a file of edges or handles to be read; name another output",
+                            path);
         if (strcmp(path, "-") != 0 && options->edit && same_file(path, options->edit))
             return ktg_fail(context, KTG_ARGUMENT,
                             "%s: is the edit file to be read; name another output", path);

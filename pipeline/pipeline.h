@@ -153,6 +153,41 @@ KTG_API KTG_NODISCARD ktg_status ktg_pipeline_write_report(ktg_context *context,
                                                            const ktg_pattern *pattern,
                                                            ktg_output *output);
 
+/* ---- warping a piece ---------------------------------------------------------------------- */
+
+/* A piece of a cloth pattern that is moved by handles. */
+typedef struct ktg_warp_job {
+    const char *pattern; /* a JSON file */
+    const char *piece;   /* its number ("3", "piece3"; from 1) or its name; NULL: the only one */
+    const char *handles; /* ktg_handles_read; lengths in mm, vertices those of the piece */
+    ktg_warp_options warp;
+    bool sheet_given; /* options->layout.sheet and .roll are wished for, not those of the pattern */
+    bool allowance_given, hem_given, notch_given; /* the same of options->finish */
+} ktg_warp_job;
+
+typedef struct ktg_warp_result {
+    ktg_warp_report warp;
+    ktg_finish_report finish; /* of the whole pattern, finished again */
+    ktg_layout_report layout;
+    uint32_t piece;              /* its index */
+    uint32_t seams_off;          /* of that piece: sides differ by more than 0.5 mm */
+    double seam_error_mm;        /* the largest difference of its seams, */
+    double seam_error_before_mm; /* and what it was */
+    uint32_t twins_lost;         /* pieces that were cut with it and no longer are */
+    double allowance_mm, hem_mm; /* that it was finished with */
+} ktg_warp_result;
+
+/* Reads a pattern, warps one piece, measures seams and strain again, finishes the pattern with the
+ * allowances it was made with (as its outlines show them) unless others are given, lays it on
+ * sheets like its own, and writes options->outputs. The log says what seams of the piece differ by,
+ * and which twins are none any more. Of `options`, finish, layout, large, overlap_mm, render,
+ * outputs and output_count count. KTG_GEOMETRY where faces stay folded or the piece lies on itself,
+ * KTG_ARGUMENT for a pattern of paper, or a piece that is not there. `result` may be NULL. */
+KTG_API KTG_NODISCARD ktg_status ktg_pipeline_warp(ktg_context *context,
+                                                   const ktg_pipeline_options *options,
+                                                   const ktg_warp_job *job,
+                                                   ktg_warp_result *result);
+
 #ifdef __cplusplus
 }
 #endif

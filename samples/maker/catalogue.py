@@ -2,9 +2,9 @@
 
 from collections import namedtuple
 
-from . import (bird, blouse, doll, egg, fox, hat, house, lampshade, mask,
-               plates, plush, polyhedra, robot, skirt, sleeve, tshirt, tubes,
-               whale)
+from . import (bird, blouse, doll, egg, flatbar, fox, hat, house, lampshade,
+               mask, plates, plush, polyhedra, robot, skirt, sleeve, tshirt,
+               tubes, whale)
 from .check import Promise
 
 # `digits` counts the decimals of the file's centimetres.
@@ -42,6 +42,8 @@ MODELS = [
     Model("blouse-front", "front panel of a blouse, in centimetres",
           blouse.build, 3, Promise(faces=(500, 2000), borders=1, edge=0.01,
                                    angle=15.0, clearance=0.05)),
+    Model("flat-bar", "flat bar to be bent by handles", flatbar.build, 3,
+          Promise(faces=(640, 640), borders=1, **SOLID)),
     Model("tshirt", "T-shirt, its panels as groups", tshirt.build, 3,
           Promise(faces=(2500, 3500), borders=4, panels=4, **GARMENT)),
     Model("tshirt-plain", "T-shirt whose seams are still to be found",

@@ -7,7 +7,7 @@ import shutil
 import subprocess
 import sys
 
-COMMANDS = ["unfold", "flatten", "deform", "simplify", "info", "verify"]
+COMMANDS = ["unfold", "flatten", "deform", "simplify", "info", "verify", "warp"]
 
 
 def main():
