@@ -1,9 +1,9 @@
-/* cli/options.c - the table of options: one line each makes parsing and help. */
-#include "cli/cli.h"
+/* cli/options.c - what each option does, and the table of them: one line each makes parsing and
+ * help. */
+#include "cli/option_lines.h"
 
 #include <ctype.h>
 #include <errno.h>
-#include <getopt.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -445,245 +445,134 @@ static bool set_refine(settings *s, const char *text) {
            (parse_count32(text, 0, &s->warp.refine) && s->warp.refine <= 100000);
 }
 
-typedef struct option_line {
-    const char *name;
-    char letter;
-    const char *value; /* what its value is called; NULL: it has none */
-    int commands;
-    bool (*apply)(settings *s, const char *text);
-    const char *help;
-} option_line;
-
-static const option_line lines[] = {
-    {"output", 'o', "FILE", PAPER, set_output,
+/* The format is read before --landscape turns it, wherever the two stand. */
+const option_line cli_option_lines[] = {
+    {"output", 'o', "FILE", PAPER, false, set_output,
      "what to write, by its ending; may be given several times"},
-    {"output", 'o', "FILE", CMD_SIMPLIFY | CMD_DEFORM, set_output, "what to write, by its ending"},
-    {"edit", 0, "FILE", CMD_DEFORM, set_edit, "what is to be changed"},
-    {"edit", 0, "FILE", PAPER, set_edit, "change the model first, as deform does"},
-    {"sets", 0, "FILE.obj", CMD_DEFORM, set_sets, "write what the edit selects, as groups"},
-    {"preview", 0, "FILE.png", CMD_DEFORM, set_preview, "draw the model before and after"},
-    {"output", 'o', "FILE", CMD_WARP, set_output,
+    {"output", 'o', "FILE", CMD_SIMPLIFY | CMD_DEFORM, false, set_output,
+     "what to write, by its ending"},
+    {"edit", 0, "FILE", CMD_DEFORM, false, set_edit, "what is to be changed"},
+    {"edit", 0, "FILE", PAPER, false, set_edit, "change the model first, as deform does"},
+    {"sets", 0, "FILE.obj", CMD_DEFORM, false, set_sets, "write what the edit selects, as groups"},
+    {"preview", 0, "FILE.png", CMD_DEFORM, false, set_preview, "draw the model before and after"},
+    {"output", 'o', "FILE", CMD_WARP, false, set_output,
      "what to write, by its ending; of a pattern may be given several times"},
-    {"handles", 0, "FILE", CMD_WARP, set_handles, "which points go where"},
-    {"refine", 0, "N|auto", CMD_WARP, set_refine,
+    {"handles", 0, "FILE", CMD_WARP, false, set_handles, "which points go where"},
+    {"refine", 0, "N|auto", CMD_WARP, false, set_refine,
      "N rounds that make it more rigid; auto: only where faces fold over (auto)"},
-    {"weights", 0, "cotangent|unit", CMD_WARP, set_warp_weight,
+    {"weights", 0, "cotangent|unit", CMD_WARP, false, set_warp_weight,
      "weights of the edges; unit is the paper's (cotangent)"},
-    {"faces", 'f', "N|all", PAPER | CMD_SIMPLIFY, set_faces, "simplify to N faces, at least 4"},
-    {"keep", 0, "FILE", CMD_UNFOLD, set_keep,
+    {"faces", 'f', "N|all", PAPER | CMD_SIMPLIFY, false, set_faces,
+     "simplify to N faces, at least 4"},
+    {"keep", 0, "FILE", CMD_UNFOLD, false, set_keep,
      "edges that stay folds: lines of vertex numbers, or OBJ l elements"},
-    {"cut", 0, "FILE", CMD_UNFOLD, set_cut, "edges that are cut, named likewise"},
-    {"cut", 0, "FILE", CMD_FLATTEN, set_cut,
+    {"cut", 0, "FILE", CMD_UNFOLD, false, set_cut, "edges that are cut, named likewise"},
+    {"cut", 0, "FILE", CMD_FLATTEN, false, set_cut,
      "edges that are seams: lines of vertex numbers, or OBJ l elements"},
-    {"seams", 0, "LIST", CMD_FLATTEN, cli_set_seams,
+    {"seams", 0, "LIST", CMD_FLATTEN, false, cli_set_seams,
      "where seams are: objects,groups,materials,marked,uv,crease,components,auto (the first four; "
      "auto where they give none and the model is no disk)"},
-    {"crease", 0, "DEGREES", CMD_FLATTEN, cli_set_crease,
+    {"crease", 0, "DEGREES", CMD_FLATTEN, false, cli_set_crease,
      "for --seams crease: edges at which the surface turns by so much (40)"},
-    {"max-strain", 0, "PERCENT", CMD_FLATTEN, cli_set_max_strain,
+    {"max-strain", 0, "PERCENT", CMD_FLATTEN, false, cli_set_max_strain,
      "what a panel may strain; --seams auto cuts until 95 % of its area do not strain more (5)"},
-    {"fabric", 0, "woven|knit|FILE", CMD_FLATTEN, cli_set_fabric,
+    {"fabric", 0, "woven|knit|FILE", CMD_FLATTEN, false, cli_set_fabric,
      "what the cloth bears along and across its grain; how much of it is strained more is told"},
-    {"grain", 0, "PANEL=DEGREES", CMD_FLATTEN, cli_set_grain,
+    {"grain", 0, "PANEL=DEGREES", CMD_FLATTEN, false, cli_set_grain,
      "turns a panel's grain from upright; may be given several times"},
-    {"omit", 0, "GROUP", PAPER, set_omit,
+    {"omit", 0, "GROUP", PAPER, false, set_omit,
      "leave out a group, object or material; may be given several times"},
-    {"height", 0, "LENGTH", PAPER, set_height, "height of the finished model"},
-    {"width", 0, "LENGTH", PAPER, set_width, "its width"},
-    {"length", 0, "LENGTH", PAPER, set_length, "its length, the third direction"},
-    {"scale", 0, "FACTOR", PAPER, set_scale, "millimetres per unit of the model"},
-    {"sheets", 0, "N", CMD_UNFOLD, set_sheets, "as large as N sheets allow (1)"},
-    {"unit", 0, "mm|cm|m|in", CMD_FLATTEN, set_unit, "the unit of the model file"},
-    {"up", 0, "x|y|z", PAPER | CMD_DEFORM, set_up, "which axis is height (STL: z, others: y)"},
-    {"paper", 'p', "FORMAT", PAPER | CMD_WARP, set_paper,
+    {"height", 0, "LENGTH", PAPER, false, set_height, "height of the finished model"},
+    {"width", 0, "LENGTH", PAPER, false, set_width, "its width"},
+    {"length", 0, "LENGTH", PAPER, false, set_length, "its length, the third direction"},
+    {"scale", 0, "FACTOR", PAPER, false, set_scale, "millimetres per unit of the model"},
+    {"sheets", 0, "N", CMD_UNFOLD, false, set_sheets, "as large as N sheets allow (1)"},
+    {"unit", 0, "mm|cm|m|in", CMD_FLATTEN, false, set_unit, "the unit of the model file"},
+    {"up", 0, "x|y|z", PAPER | CMD_DEFORM, false, set_up,
+     "which axis is height (STL: z, others: y)"},
+    {"paper", 'p', "FORMAT", PAPER | CMD_WARP, false, set_paper,
      "a0 ... a6, letter, legal, tabloid, ..., WxH, or fit: one page (a4)"},
-    {"landscape", 0, NULL, PAPER | CMD_WARP, set_landscape, "turn the sheet"},
-    {"roll", 0, "WIDTH", PAPER | CMD_WARP, set_roll,
+    {"landscape", 0, NULL, PAPER | CMD_WARP, true, set_landscape, "turn the sheet"},
+    {"roll", 0, "WIDTH", PAPER | CMD_WARP, false, set_roll,
      "instead of sheets: pages of that width, cut off where the pieces end"},
-    {"fabric-width", 0, "WIDTH", CMD_FLATTEN, set_fabric_width,
+    {"fabric-width", 0, "WIDTH", CMD_FLATTEN, false, set_fabric_width,
      "a marker: all pieces on fabric of that width, and how much of it they take"},
-    {"nap", 0, NULL, CMD_FLATTEN, set_nap, "the cloth has a nap: no piece lies head down"},
-    {"margin", 0, "LENGTH", PAPER | CMD_WARP, set_margin,
+    {"nap", 0, NULL, CMD_FLATTEN, false, set_nap, "the cloth has a nap: no piece lies head down"},
+    {"margin", 0, "LENGTH", PAPER | CMD_WARP, false, set_margin,
      "left free on every side of a sheet (10mm)"},
-    {"gap", 0, "LENGTH", PAPER | CMD_WARP, set_gap, "between pieces (2mm)"},
-    {"oversize", 0, "split|tile|scale|error", CMD_UNFOLD, set_oversize,
+    {"gap", 0, "LENGTH", PAPER | CMD_WARP, false, set_gap, "between pieces (2mm)"},
+    {"oversize", 0, "split|tile|scale|error", CMD_UNFOLD, false, set_oversize,
      "what is larger than a sheet: divide it, spread it over sheets, shrink all, fail (split)"},
-    {"oversize", 0, "tile|scale|error", CMD_FLATTEN, set_oversize_flatten,
+    {"oversize", 0, "tile|scale|error", CMD_FLATTEN, false, set_oversize_flatten,
      "what is larger than a sheet: spread it over sheets, shrink it, or fail (tile)"},
-    {"overlap", 0, "LENGTH", PAPER | CMD_WARP, set_overlap, "of the sheets of a poster (10mm)"},
-    {"pieces", 0, "N", CMD_UNFOLD, set_pieces,
+    {"overlap", 0, "LENGTH", PAPER | CMD_WARP, false, set_overlap,
+     "of the sheets of a poster (10mm)"},
+    {"pieces", 0, "N", CMD_UNFOLD, false, set_pieces,
      "divide every part of the model into N pieces; with a size, more where they do not fit"},
-    {"max-faces-per-piece", 0, "N", CMD_UNFOLD, set_piece_faces, "no piece has more faces"},
-    {"tabs", 0, "LENGTH|none", CMD_UNFOLD, set_tabs, "height of the glue tabs (5mm)"},
-    {"tab-side", 0, "alternate|smaller|run", CMD_UNFOLD, set_tab_side,
+    {"max-faces-per-piece", 0, "N", CMD_UNFOLD, false, set_piece_faces, "no piece has more faces"},
+    {"tabs", 0, "LENGTH|none", CMD_UNFOLD, false, set_tabs, "height of the glue tabs (5mm)"},
+    {"tab-side", 0, "alternate|smaller|run", CMD_UNFOLD, false, set_tab_side,
      "which side of a seam gets the tabs, where there is room (alternate)"},
-    {"number", 0, "seam|edge|none", CMD_UNFOLD, set_number, "what is numbered (seam)"},
-    {"folds", 0, "dashed|solid", CMD_UNFOLD, set_folds,
+    {"number", 0, "seam|edge|none", CMD_UNFOLD, false, set_number, "what is numbered (seam)"},
+    {"folds", 0, "dashed|solid", CMD_UNFOLD, false, set_folds,
      "mountain dashed, valley dash-dot; or mountain solid, valley dashed (dashed)"},
-    {"flat", 0, "DEGREES", CMD_UNFOLD, set_flat, "folds flatter than this are not drawn (1)"},
-    {"allowance", 0, "LENGTH", CMD_FLATTEN | CMD_WARP, cli_set_allowance, "along seams (10mm)"},
-    {"hem", 0, "LENGTH", CMD_FLATTEN | CMD_WARP, cli_set_hem,
+    {"flat", 0, "DEGREES", CMD_UNFOLD, false, set_flat,
+     "folds flatter than this are not drawn (1)"},
+    {"allowance", 0, "LENGTH", CMD_FLATTEN | CMD_WARP, false, cli_set_allowance,
+     "along seams (10mm)"},
+    {"hem", 0, "LENGTH", CMD_FLATTEN | CMD_WARP, false, cli_set_hem,
      "along borders that are sewn to nothing (20mm)"},
-    {"notch", 0, "LENGTH|none", CMD_FLATTEN | CMD_WARP, cli_set_notch,
+    {"notch", 0, "LENGTH|none", CMD_FLATTEN | CMD_WARP, false, cli_set_notch,
      "length of the marks that meet when a seam is sewn (5mm)"},
-    {"notch-every", 0, "LENGTH", CMD_FLATTEN | CMD_WARP, cli_set_notch_every,
+    {"notch-every", 0, "LENGTH", CMD_FLATTEN | CMD_WARP, false, cli_set_notch_every,
      "a seam has a mark for each such length (250mm)"},
-    {"on-fold", 0, "PANEL", CMD_FLATTEN, cli_set_on_fold,
+    {"on-fold", 0, "PANEL", CMD_FLATTEN, false, cli_set_on_fold,
      "cut that symmetric panel on the fold of the cloth: half of it is printed; may be given "
      "several times"},
-    {"no-strain-map", 0, NULL, CMD_FLATTEN | CMD_WARP, cli_set_no_strain_map,
+    {"no-strain-map", 0, NULL, CMD_FLATTEN | CMD_WARP, false, cli_set_no_strain_map,
      "leave out the PDF's page that shows where the cloth strains"},
-    {"no-twins", 0, NULL, CMD_FLATTEN, cli_set_no_twins,
+    {"no-twins", 0, NULL, CMD_FLATTEN, false, cli_set_no_twins,
      "print each panel, also the mirror image of another one"},
-    {"method", 0, "auto|genetic", CMD_UNFOLD, set_method_unfold,
+    {"method", 0, "auto|genetic", CMD_UNFOLD, false, set_method_unfold,
      "transplants, or the paper's genetic merging (auto)"},
-    {"effort", 0, "quick|normal|best", PAPER, set_effort,
+    {"effort", 0, "quick|normal|best", PAPER, false, set_effort,
      "work spent on a compact net and on nesting pieces (normal)"},
-    {"ease", 0, "WEIGHT", CMD_UNFOLD, set_ease,
+    {"ease", 0, "WEIGHT", CMD_UNFOLD, false, set_ease,
      "0 to 10: how much an easy assembly counts against size and tabs (0)"},
-    {"method", 0, "arap|injective|two-step", CMD_FLATTEN, set_method_flatten,
+    {"method", 0, "arap|injective|two-step", CMD_FLATTEN, false, set_method_flatten,
      "as rigid as possible, injective where that folds; always injective; or the two linear steps "
      "of Igarashi & Igarashi 2009 (arap)"},
-    {"weights", 0, "cotangent|unit", CMD_FLATTEN, set_weight,
+    {"weights", 0, "cotangent|unit", CMD_FLATTEN, false, set_weight,
      "weights of the edges for two-step (cotangent)"},
-    {"population", 0, "N", CMD_UNFOLD, set_population, "chromosomes in a generation (32)"},
-    {"generations", 0, "N", CMD_UNFOLD, set_generations, "at most this many (2000)"},
-    {"patience", 0, "N", CMD_UNFOLD, set_patience, "stop after N generations without gain (30)"},
-    {"crossover", 0, "RATE", CMD_UNFOLD, set_crossover, "crossover rate (0.8)"},
-    {"mutation", 0, "RATE", CMD_UNFOLD, set_mutation, "mutation rate (0.1)"},
-    {"restarts", 0, "N", CMD_UNFOLD, set_restarts,
+    {"population", 0, "N", CMD_UNFOLD, false, set_population, "chromosomes in a generation (32)"},
+    {"generations", 0, "N", CMD_UNFOLD, false, set_generations, "at most this many (2000)"},
+    {"patience", 0, "N", CMD_UNFOLD, false, set_patience,
+     "stop after N generations without gain (30)"},
+    {"crossover", 0, "RATE", CMD_UNFOLD, false, set_crossover, "crossover rate (0.8)"},
+    {"mutation", 0, "RATE", CMD_UNFOLD, false, set_mutation, "mutation rate (0.1)"},
+    {"restarts", 0, "N", CMD_UNFOLD, false, set_restarts,
      "fresh starts while there is more than one piece (20)"},
-    {"seed", 0, "N", CMD_UNFOLD, set_seed, "another seed gives another net (1)"},
-    {"threads", 0, "N", CMD_UNFOLD, set_threads,
+    {"seed", 0, "N", CMD_UNFOLD, false, set_seed, "another seed gives another net (1)"},
+    {"threads", 0, "N", CMD_UNFOLD, false, set_threads,
      "processors to use at most (all); the net is the same for any number"},
-    {"time", 0, "SECONDS", CMD_UNFOLD, set_time, "stop searching after that time"},
-    {"black", 0, NULL, PAPER | CMD_WARP, set_black, "no colours"},
-    {"dpi", 0, "N", PAPER | CMD_WARP, set_dpi, "resolution of PNG pictures (150)"},
-    {"svg-unit", 0, "mm|px72|px96", PAPER, set_svg_unit,
+    {"time", 0, "SECONDS", CMD_UNFOLD, false, set_time, "stop searching after that time"},
+    {"black", 0, NULL, PAPER | CMD_WARP, false, set_black, "no colours"},
+    {"dpi", 0, "N", PAPER | CMD_WARP, false, set_dpi, "resolution of PNG pictures (150)"},
+    {"svg-unit", 0, "mm|px72|px96", PAPER, false, set_svg_unit,
      "what a unit of an SVG is, for cutters that read pixels (mm)"},
-    {"real-dashes", 0, NULL, PAPER, set_real_dashes,
+    {"real-dashes", 0, NULL, PAPER, false, set_real_dashes,
      "SVG, DXF: dashes are short lines of their own, for cutters that know no others"},
-    {"plain-dxf", 0, NULL, CMD_FLATTEN, set_plain_dxf,
+    {"plain-dxf", 0, NULL, CMD_FLATTEN, false, set_plain_dxf,
      "a DXF for cutters, one for each sheet, instead of one for garment CAD (ASTM D6673)"},
-    {"registration", 0, NULL, PAPER, set_registration,
+    {"registration", 0, NULL, PAPER, false, set_registration,
      "marks in the margins by which a cutter finds the print"},
-    {"report", 0, "FILE.json", PAPER | CMD_DEFORM, set_report, "write the figures of the run"},
-    {"quiet", 'q', NULL, EVERY, set_quiet, "say nothing but errors"},
-    {"help", 'h', NULL, EVERY, set_help, "show this"},
+    {"report", 0, "FILE.json", PAPER | CMD_DEFORM, false, set_report,
+     "write the figures of the run"},
+    {"quiet", 'q', NULL, EVERY, false, set_quiet, "say nothing but errors"},
+    {"help", 'h', NULL, EVERY, false, set_help, "show this"},
 };
 
-enum { LINE_COUNT = sizeof lines / sizeof *lines };
+_Static_assert(sizeof cli_option_lines / sizeof *cli_option_lines <= CLI_MOST_OPTIONS,
+               "more options than option_lines.h has room for");
 
-void cli_print_options(FILE *stream, int command) {
-    for (int i = 0; i < LINE_COUNT; i++) {
-        if (!(lines[i].commands & command))
-            continue;
-        char left[64];
-        const char *value = lines[i].value ? lines[i].value : "";
-        char letter[8] = "    ";
-        if (lines[i].letter)
-            snprintf(letter, sizeof letter, "-%c, ", lines[i].letter);
-        snprintf(left, sizeof left, "%s--%s %s", letter, lines[i].name, value);
-        if (strlen(left) > 30)
-            fprintf(stream, "  %s\n  %-30s  %s\n", left, "", lines[i].help);
-        else
-            fprintf(stream, "  %-30s  %s\n", left, lines[i].help);
-    }
-}
-
-/* getopt's tables for one command; code 256 + i stands for line i. */
-static void make_tables(int command, struct option *longs, char *shorts) {
-    size_t length = 0;
-    shorts[length++] = ':';
-    for (int i = 0; i < LINE_COUNT; i++) {
-        if (!(lines[i].commands & command))
-            continue;
-        *longs++ = (struct option){lines[i].name, lines[i].value ? required_argument : no_argument,
-                                   NULL, 256 + i};
-        if (lines[i].letter) {
-            shorts[length++] = lines[i].letter;
-            if (lines[i].value)
-                shorts[length++] = ':';
-        }
-    }
-    *longs = (struct option){0};
-    shorts[length] = 0;
-}
-
-static const option_line *line_of(int code, int command) {
-    if (code >= 256)
-        return &lines[code - 256];
-    for (int i = 0; i < LINE_COUNT; i++)
-        if (lines[i].letter == code && (lines[i].commands & command))
-            return &lines[i];
-    return NULL;
-}
-
-static bool refuse(const char *command, const char *what, const char *text) {
-    fprintf(stderr, "katagami %s: %s", command, what);
-    cli_print_safe(stderr, text);
-    fprintf(stderr, "; see katagami %s --help\n", command);
-    return false;
-}
-
-/* After getopt's '?': a short option it does not know is in optopt, and may stand among others in
- * one word; a long one was the word before optind. */
-static bool refuse_option(char **argv) {
-    char letter[3] = {'-', (char)optopt, 0};
-    if (optopt >= 256)
-        return refuse(argv[0], "no value is wanted in ", argv[optind - 1]);
-    return refuse(argv[0], "there is no option ", optopt ? letter : argv[optind - 1]);
-}
-
-static bool apply_line(const option_line *line, settings *s, const char *command) {
-    if (line->apply(s, optarg))
-        return true;
-    fprintf(stderr, "katagami %s: ", command);
-    if (s->complaint[0]) {
-        cli_print_safe(stderr, s->complaint);
-    } else {
-        fprintf(stderr, "--%s wants %s, not '", line->name, line->value);
-        cli_print_safe(stderr, optarg);
-        fputc('\'', stderr);
-    }
-    fputc('\n', stderr);
-    return false;
-}
-
-/* The format is read before --landscape turns it, wherever the two stand. */
-static bool run_options(int argc, char **argv, int command, bool landscape_pass, settings *s) {
-    struct option longs[LINE_COUNT + 1];
-    char shorts[2 * LINE_COUNT + 2];
-    make_tables(command, longs, shorts);
-    optind = 0;
-    int code;
-    while ((code = getopt_long(argc, argv, shorts, longs, NULL)) != -1) {
-        if (code == '?')
-            return refuse_option(argv);
-        if (code == ':')
-            return refuse(argv[0], "a value is missing after ", argv[optind - 1]);
-        const option_line *line = line_of(code, command);
-        if ((line->apply == set_landscape) == landscape_pass && !apply_line(line, s, argv[0]))
-            return false;
-    }
-    return true;
-}
-
-bool cli_read_options(int argc, char **argv, int command, int least_arguments, int most_arguments,
-                      settings *s) {
-    *s = (settings){.seed = 1};
-    ktg_pipeline_defaults(&s->pipeline);
-    ktg_warp_defaults(&s->warp);
-    if (!run_options(argc, argv, command, false, s) || !run_options(argc, argv, command, true, s))
-        return false;
-    if (s->help)
-        return true;
-    s->argument_count = argc - optind;
-    if (s->argument_count < least_arguments)
-        return refuse(argv[0], "a file is missing", "");
-    if (s->argument_count > most_arguments)
-        return refuse(argv[0], "one file too many: ", argv[optind + most_arguments]);
-    for (int i = 0; i < s->argument_count; i++)
-        s->arguments[i] = argv[optind + i];
-    return true;
-}
+const int cli_option_count = sizeof cli_option_lines / sizeof *cli_option_lines;
