@@ -82,6 +82,13 @@ static ktg_status attempt(ktg_context *context, ktg_flat_surface *surface, ktg_p
     return status;
 }
 
+/* Nobody said where seams are to be, and some panel was laid flat and folds or lies on itself; what
+ * the two-step method folds is refused. */
+static bool may_choose(const ktg_flat_surface *surface) {
+    return surface->options->seams == 0 && surface->options->method != KTG_FLATTEN_TWO_STEP &&
+           surface->report->whole.faces > 0;
+}
+
 /* Making both sides of a seam equally long strains a panel a little more than it was when its seams
  * were chosen: where that is too much, they are chosen again with more to spare. And where nobody
  * said where seams are to be, a panel that cannot be laid flat gets some. */
@@ -93,8 +100,7 @@ static ktg_status flatten(ktg_context *context, ktg_flat_surface *surface, ktg_p
         surface->area_part = parts[k];
         ktg_status status = attempt(context, surface, pattern);
         bool beyond = status == KTG_OK && surface->chosen && surface->report->panels_beyond > 0;
-        bool folds = status == KTG_GEOMETRY && !surface->chosen && surface->options->seams == 0 &&
-                     surface->report->opened_edges > 0;
+        bool folds = status == KTG_GEOMETRY && !surface->chosen && may_choose(surface);
         surface->choose = surface->choose || folds;
         k += beyond;
         if ((!beyond && !folds) || k == sizeof parts / sizeof *parts || ktg_wants_finish(context))

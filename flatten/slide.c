@@ -10,7 +10,7 @@
 #include <string.h>
 
 /* Rounds of moving, and rings around seams that give way. */
-enum { rounds = 24, rings = 4, most_retreats = 12 };
+enum { rounds = 24, rings = 4, most_retreats = 6 };
 
 /* Vertices at a fold of this angle or more stay. */
 static const double crease = 45 * KTG_PI / 180;
@@ -199,27 +199,35 @@ static bool is_spoilt(const slide *s, uint32_t face) {
            (shape < least_shape && shape < 0.9 * shape_of(p, v));
 }
 
-/* Half way back, and at last all the way, where faces are spoilt. */
-static void retreat(slide *s) {
+/* The corners of a face go back towards where they were, or all the way. True where one moved. */
+static bool take_back(slide *s, uint32_t face, double part) {
     const ktg_mesh *mesh = s->sheet->mesh;
-    for (int k = 0; k < most_retreats; k++) {
-        bool any = false;
-        double part = k < most_retreats / 2 ? 0.5 : 0;
-        for (uint32_t f = 0; f < mesh->face_count; f++) {
-            if (!is_spoilt(s, f))
-                continue;
-            for (int c = 0; c < 3; c++) {
-                uint32_t v = mesh->faces[3 * (size_t)f + c];
-                ktg_vec3 was = mesh->positions[v];
-                any |= s->kind[v] != stays;
-                s->now[v] = ktg_madd3(was, part, ktg_sub3(s->now[v], was));
-                uint32_t from = s->face[v];
-                if (part > 0 && s->kind[v] != stays)
-                    s->now[v] = closest_around(s->sheet, &from, s->now[v]);
-            }
+    bool any = false;
+    for (int c = 0; c < 3; c++) {
+        uint32_t v = mesh->faces[3 * (size_t)face + c];
+        ktg_vec3 was = mesh->positions[v], to = was;
+        if (s->kind[v] == stays)
+            continue;
+        if (part > 0) {
+            uint32_t from = s->face[v];
+            to = ktg_madd3(was, part, ktg_sub3(s->now[v], was));
+            to = closest_around(s->sheet, &from, to);
         }
-        if (!any)
-            break;
+        any |= to.x != s->now[v].x || to.y != s->now[v].y || to.z != s->now[v].z;
+        s->now[v] = to;
+    }
+    return any;
+}
+
+/* Vertices of spoilt faces go half of the way back some times, and then all of it, until no face is
+ * spoilt: one whose corners are all where they were is not. */
+static void retreat(slide *s) {
+    bool any = true;
+    for (int k = 0; any; k++) {
+        any = false;
+        for (uint32_t f = 0; f < s->sheet->mesh->face_count; f++)
+            if (is_spoilt(s, f))
+                any |= take_back(s, f, k < most_retreats ? 0.5 : 0);
     }
 }
 
