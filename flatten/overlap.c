@@ -83,8 +83,7 @@ static bool find_overfull(const ktg_panel *panel, const ktg_vec2 *flat, uint32_t
             continue;
         double beyond = angle_around(panel, flat, panel->faces[h], &shortest) - 2 * KTG_PI;
         if (beyond * shortest > crossing_depth) {
-            vertices[0] = panel->faces[h];
-            vertices[1] = panel->faces[ktg_halfedge_next(h)];
+            vertices[0] = vertices[1] = panel->faces[h];
             return true;
         }
     }
@@ -109,8 +108,14 @@ ktg_status ktg_panel_check_overlap(ktg_context *context, const ktg_panel *panel,
     KTG_TRY(ktg_panel_find_crossing(context, panel, flat, &crossed, vertices));
     if (!crossed)
         return KTG_OK;
+    uint32_t a = names[vertices[0]] + 1, b = names[vertices[1]] + 1;
+    if (a == b) /* both sides of one slit */
+        return ktg_fail(context, KTG_GEOMETRY,
+                        "laid flat, the panel lies on itself: both sides of a cut pass each other "
+                        "at vertex %u; lead that cut on through the panel by a seam first",
+                        a);
     return ktg_fail(context, KTG_GEOMETRY,
                     "laid flat, the panel lies on itself: its border crosses itself near vertices "
                     "%u and %u; cut it in two by a seam between them first",
-                    names[vertices[0]] + 1, names[vertices[1]] + 1);
+                    a, b);
 }

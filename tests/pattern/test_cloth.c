@@ -257,6 +257,31 @@ static void labels_lie_within_the_seams(void **state) {
     ktg_pattern_free(&p);
 }
 
+/* Too small for any writing, and the middle of what is cut lies far from what is sewn. */
+static void a_tiny_piece_has_its_name_within_the_seams(void **state) {
+    const cloth_piece tiny[2] = {
+        {"left", 4, {{0, 0}, {2, 0}, {2, 3}, {0, 3}}, {0, 1, 2, 3}},
+        {"right", 4, {{0, 0}, {2, 0}, {2, 3}, {0, 3}}, {1, 4, 5, 2}},
+    };
+    const ktg_vec3 positions[6] = {{0, 0, 0}, {2, 0, 0}, {2, 3, 0},
+                                   {0, 3, 0}, {4, 0, 0}, {4, 3, 0}};
+    ktg_pattern *p = cloth_make(*state, tiny, 2, positions, 6);
+    ktg_finish_options options;
+    ktg_finish_defaults(&options);
+    options.allowance_mm = 200;
+    options.hem_mm = 0;
+    options.twins = false;
+    finish(*state, p, &options);
+    for (size_t k = 0; k < 2; k++) {
+        assert_true(has_label(&p->pieces[k], tiny[k].name));
+        for (size_t i = 0; i < p->pieces[k].label_count; i++) {
+            ktg_vec2 at = p->pieces[k].labels[i].at;
+            assert_true(at.x > -5 && at.x < 7 && at.y > -5 && at.y < 8);
+        }
+    }
+    ktg_pattern_free(&p);
+}
+
 static void every_failing_allocation_is_survived(void **state) {
     static const char *const names[] = {"left", "skirt"};
     ktg_finish_options options;
@@ -290,6 +315,7 @@ int main(void) {
         cmocka_unit_test(a_symmetric_piece_is_halved_on_the_fold),
         cmocka_unit_test(what_is_not_symmetric_stays_whole),
         cmocka_unit_test(labels_lie_within_the_seams),
+        cmocka_unit_test(a_tiny_piece_has_its_name_within_the_seams),
         cmocka_unit_test(every_failing_allocation_is_survived),
     };
     return cmocka_run_group_tests_name("pattern/cloth", tests, make_context, drop_context);
