@@ -7,8 +7,7 @@
 
 #define SAME_MM  0.6 /* shapes that are cut by one paper */
 #define NOTCH_MM 1.5 /* from where a notch is said to be */
-#define REACH_MM 60  /* a mark begins so far from its seam, at most; further where cuts are wider  \
-                      */
+#define REACH_MM 60  /* a mark begins so far from its seam, at most; more where cuts are wider */
 
 /* ---- outlines ----------------------------------------------------------------------------- */
 
