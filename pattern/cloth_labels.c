@@ -16,6 +16,9 @@
 /* Between a number and its seam. */
 #define FROM_SEAM_MM 2.0
 
+/* Free around a name, by its height. */
+#define AROUND_NAME 0.25
+
 /* Lines of text below each other, by their heights. */
 #define LEADING 1.5
 
@@ -212,8 +215,9 @@ static ktg_vec2 size_of(const block *b) {
     return size;
 }
 
-/* The place nearest to the middle where the block is free, if any. */
-static bool find_place(ktg_label_sheet *sheet, uint32_t p, ktg_vec2 size, ktg_label_box *found) {
+/* The place nearest to the middle where the block is free, and so much around it, if any. */
+static bool find_place(ktg_label_sheet *sheet, uint32_t p, ktg_vec2 size, double around_mm,
+                       ktg_label_box *found) {
     const ktg_pattern_piece *piece = &sheet->pattern->pieces[p];
     ktg_box around = ktg_box_of(piece->outline, piece->outline_count);
     ktg_vec2 middle = ktg_mul2(ktg_add2(around.low, around.high), 0.5),
@@ -222,9 +226,10 @@ static bool find_place(ktg_label_sheet *sheet, uint32_t p, ktg_vec2 size, ktg_la
     for (int k = 0; k < places * places; k++) {
         ktg_vec2 away = {((k % places + 0.5) / places - 0.5) * room.x,
                          ((k / places + 0.5) / places - 0.5) * room.y};
-        ktg_label_box box = {ktg_add2(middle, away), {1, 0}, ktg_mul2(size, 0.5)};
+        ktg_label_box box = {ktg_add2(middle, away), {1, 0}, ktg_mul2(size, 0.5)}, wide = box;
+        wide.half = ktg_add2(box.half, (ktg_vec2){around_mm, around_mm});
         double distance = ktg_dot2(away, away);
-        if (distance < nearest * (1 - 1e-9) && is_free(sheet, p, &box)) {
+        if (distance < nearest * (1 - 1e-9) && is_free(sheet, p, &wide)) {
             nearest = distance;
             *found = box;
         }
@@ -271,7 +276,7 @@ static ktg_status name_piece(ktg_context *context, ktg_label_sheet *sheet, uint3
     ktg_label_box box = {0};
     for (; b.count > 0; b.count--)
         for (double mm = NAME_MM; mm * b.height[b.count - 1] >= KTG_LABEL_LEAST_MM; mm *= SHRINK)
-            if (find_place(sheet, p, ktg_mul2(size_of(&b), mm), &box))
+            if (find_place(sheet, p, ktg_mul2(size_of(&b), mm), AROUND_NAME * mm, &box))
                 return write_block(context, sheet, p, &b, &box, mm);
     b.count = 1;
     box = (ktg_label_box){middle_face(&sheet->pattern->pieces[p]),
