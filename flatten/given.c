@@ -75,6 +75,39 @@ static ktg_status cut_marked(ktg_context *context, const ktg_mesh *mesh, const k
     return KTG_OK;
 }
 
+/* ---- marks that part nothing -------------------------------------------------------------- */
+
+static uint32_t previous(uint32_t h) {
+    return ktg_halfedge_next(ktg_halfedge_next(h));
+}
+
+/* Whether the faces around the start of half-edge h are parted there by h's own edge alone. */
+static bool goes_all_around(const ktg_adjacency *a, const bool *cut, uint32_t h) {
+    uint32_t g = previous(h);
+    while (a->twin[g] != KTG_NONE && !cut[a->halfedge_edge[g]])
+        g = previous(a->twin[g]);
+    return a->halfedge_edge[g] == a->halfedge_edge[h];
+}
+
+/* A single cut edge with cloth all around it has two sides between the same two vertices: nothing
+ * opens there, so it is no seam. */
+static void forget_lone_cuts(ktg_context *context, const ktg_adjacency *a, bool *cut) {
+    uint32_t count = 0;
+    for (uint32_t h = 0; h < a->halfedge_count; h++) {
+        uint32_t twin = a->twin[h], e = a->halfedge_edge[h];
+        if (twin == KTG_NONE || !cut[e] || !goes_all_around(a, cut, h) ||
+            !goes_all_around(a, cut, twin))
+            continue;
+        cut[e] = false;
+        count++;
+    }
+    if (count > 0)
+        ktg_log(context, KTG_LOG_WARNING,
+                "%u of the edges given as seams lie alone inside a panel, where they part nothing, "
+                "and are left uncut; lead them on to another seam or to a border",
+                count);
+}
+
 ktg_status ktg_seams_given(ktg_context *context, const ktg_mesh *mesh,
                            const ktg_adjacency *adjacency, unsigned seams, double crease,
                            bool *cut) {
@@ -83,9 +116,10 @@ ktg_status ktg_seams_given(ktg_context *context, const ktg_mesh *mesh,
         if (twin != KTG_NONE && h < twin && is_seam(mesh, h, twin, seams, crease))
             cut[adjacency->halfedge_edge[h]] = true;
     }
-    if (!(seams & KTG_SEAMS_MARKED) || mesh->marked_count == 0)
-        return KTG_OK;
-    return cut_marked(context, mesh, adjacency, cut);
+    if ((seams & KTG_SEAMS_MARKED) && mesh->marked_count > 0)
+        KTG_TRY(cut_marked(context, mesh, adjacency, cut));
+    forget_lone_cuts(context, adjacency, cut);
+    return KTG_OK;
 }
 
 /* ---- names -------------------------------------------------------------------------------- */

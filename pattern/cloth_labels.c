@@ -16,6 +16,9 @@
 /* Between a number and its seam. */
 #define FROM_SEAM_MM 2.0
 
+/* Free around a name, by its height. */
+#define AROUND_NAME 0.25
+
 /* Lines of text below each other, by their heights. */
 #define LEADING 1.5
 
@@ -32,18 +35,23 @@ static bool passes(ktg_vec2 p, ktg_vec2 a, ktg_vec2 b) {
     return (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x);
 }
 
+static bool is_within_outline(const ktg_pattern_piece *piece, ktg_vec2 at) {
+    bool within = false;
+    for (size_t i = 0; i < piece->outline_count; i++)
+        if (passes(at, piece->outline[i], piece->outline[(i + 1) % piece->outline_count]))
+            within = !within;
+    return within;
+}
+
 /* Within the sewing line and, of half a piece, within its outline. */
 static bool is_inside(const ktg_label_sheet *sheet, uint32_t p, ktg_vec2 at) {
     const ktg_topology *t = sheet->topology;
     const ktg_pattern_piece *piece = &sheet->pattern->pieces[p];
-    bool inside = false, drawn = !piece->on_fold;
+    bool inside = false;
     for (uint32_t k = t->border_first[p]; k < t->border_first[p + 1]; k++)
         if (passes(at, ktg_start_of(t, t->border[k]), ktg_end_of(t, t->border[k])))
             inside = !inside;
-    for (size_t i = 0; piece->on_fold && i < piece->outline_count; i++)
-        if (passes(at, piece->outline[i], piece->outline[(i + 1) % piece->outline_count]))
-            drawn = !drawn;
-    return inside && drawn;
+    return inside && (!piece->on_fold || is_within_outline(piece, at));
 }
 
 static bool on_line(const ktg_pattern_piece *piece, const ktg_label_box *box) {
@@ -207,8 +215,9 @@ static ktg_vec2 size_of(const block *b) {
     return size;
 }
 
-/* The place nearest to the middle where the block is free, if any. */
-static bool find_place(ktg_label_sheet *sheet, uint32_t p, ktg_vec2 size, ktg_label_box *found) {
+/* The place nearest to the middle where the block is free, and so much around it, if any. */
+static bool find_place(ktg_label_sheet *sheet, uint32_t p, ktg_vec2 size, double around_mm,
+                       ktg_label_box *found) {
     const ktg_pattern_piece *piece = &sheet->pattern->pieces[p];
     ktg_box around = ktg_box_of(piece->outline, piece->outline_count);
     ktg_vec2 middle = ktg_mul2(ktg_add2(around.low, around.high), 0.5),
@@ -217,9 +226,10 @@ static bool find_place(ktg_label_sheet *sheet, uint32_t p, ktg_vec2 size, ktg_la
     for (int k = 0; k < places * places; k++) {
         ktg_vec2 away = {((k % places + 0.5) / places - 0.5) * room.x,
                          ((k / places + 0.5) / places - 0.5) * room.y};
-        ktg_label_box box = {ktg_add2(middle, away), {1, 0}, ktg_mul2(size, 0.5)};
+        ktg_label_box box = {ktg_add2(middle, away), {1, 0}, ktg_mul2(size, 0.5)}, wide = box;
+        wide.half = ktg_add2(box.half, (ktg_vec2){around_mm, around_mm});
         double distance = ktg_dot2(away, away);
-        if (distance < nearest * (1 - 1e-9) && is_free(sheet, p, &box)) {
+        if (distance < nearest * (1 - 1e-9) && is_free(sheet, p, &wide)) {
             nearest = distance;
             *found = box;
         }
@@ -241,6 +251,24 @@ static ktg_status write_block(ktg_context *context, ktg_label_sheet *sheet, uint
     return KTG_OK;
 }
 
+/* The middle of the widest face that is drawn: in the cloth, however far the cut is from it. */
+static ktg_vec2 middle_face(const ktg_pattern_piece *piece) {
+    ktg_vec2 best = piece->outline[0];
+    double largest = 0;
+    for (size_t f = 0; f < piece->face_count; f++) {
+        const uint32_t *corners = piece->corners + 3 * f;
+        ktg_vec2 a = piece->vertices[corners[0]], b = piece->vertices[corners[1]],
+                 c = piece->vertices[corners[2]];
+        ktg_vec2 middle = ktg_mul2(ktg_add2(ktg_add2(a, b), c), 1.0 / 3);
+        double area = ktg_cross2(ktg_sub2(b, a), ktg_sub2(c, a));
+        if (area > largest && (!piece->on_fold || is_within_outline(piece, middle))) {
+            largest = area;
+            best = middle;
+        }
+    }
+    return best;
+}
+
 /* Smaller and, when it would be too small, with fewer lines, until there is room: a piece of cloth
  * is never without its name. */
 static ktg_status name_piece(ktg_context *context, ktg_label_sheet *sheet, uint32_t p) {
@@ -248,12 +276,10 @@ static ktg_status name_piece(ktg_context *context, ktg_label_sheet *sheet, uint3
     ktg_label_box box = {0};
     for (; b.count > 0; b.count--)
         for (double mm = NAME_MM; mm * b.height[b.count - 1] >= KTG_LABEL_LEAST_MM; mm *= SHRINK)
-            if (find_place(sheet, p, ktg_mul2(size_of(&b), mm), &box))
+            if (find_place(sheet, p, ktg_mul2(size_of(&b), mm), AROUND_NAME * mm, &box))
                 return write_block(context, sheet, p, &b, &box, mm);
-    const ktg_pattern_piece *piece = &sheet->pattern->pieces[p];
-    ktg_box around = ktg_box_of(piece->outline, piece->outline_count);
     b.count = 1;
-    box = (ktg_label_box){ktg_mul2(ktg_add2(around.low, around.high), 0.5),
+    box = (ktg_label_box){middle_face(&sheet->pattern->pieces[p]),
                           {1, 0},
                           ktg_mul2(size_of(&b), KTG_LABEL_LEAST_MM / 2)};
     return write_block(context, sheet, p, &b, &box, KTG_LABEL_LEAST_MM);

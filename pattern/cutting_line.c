@@ -17,6 +17,7 @@ typedef struct cut {
     const ktg_finish_options *options;
     const double *room; /* of ktg_cloth */
     double nudge;
+    bool plain; /* hems end like seams */
     ktg_vec2 *points;
     size_t count, capacity;
 } cut;
@@ -60,6 +61,8 @@ static ktg_corner corner_between(const cut *c, uint32_t h, uint32_t next) {
     set_side(c, next, 1, &corner);
     corner.reach[0] = ktg_corner_reach(&corner, 0);
     corner.reach[1] = ktg_corner_reach(&corner, 1);
+    if (c->plain)
+        corner.hem[0] = corner.hem[1] = false;
     if (corner.hem[0] != corner.hem[1] &&
         !runs_straight(c, corner.hem[0] ? h : next, corner.hem[1]))
         corner.hem[0] = corner.hem[1] = false;
@@ -194,20 +197,72 @@ static ktg_status go_around(ktg_context *context, cut *c, uint32_t p) {
     return KTG_OK;
 }
 
-static ktg_status clean(ktg_context *context, cut *c, uint32_t p, ktg_pattern_piece *piece) {
+/* The middle of the widest face. */
+static ktg_vec2 deep_inside(const ktg_pattern_piece *piece) {
+    ktg_vec2 best = {0, 0};
+    double largest = -INFINITY;
+    for (size_t f = 0; f < piece->face_count; f++) {
+        const uint32_t *corners = piece->corners + 3 * f;
+        ktg_vec2 a = piece->vertices[corners[0]], b = piece->vertices[corners[1]],
+                 c = piece->vertices[corners[2]];
+        double area = ktg_cross2(ktg_sub2(b, a), ktg_sub2(c, a));
+        if (area > largest) {
+            largest = area;
+            best = ktg_mul2(ktg_add2(ktg_add2(a, b), c), 1.0 / 3);
+        }
+    }
+    return best;
+}
+
+static bool is_within(const ktg_pattern_piece *piece, ktg_vec2 p, double near) {
+    bool inside = false;
+    double nearest = INFINITY;
+    for (size_t i = 0; i < piece->outline_count; i++) {
+        ktg_vec2 a = piece->outline[i], b = piece->outline[(i + 1) % piece->outline_count];
+        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
+            inside = !inside;
+        nearest = fmin(nearest, ktg_distance_to_segment(p, a, b));
+    }
+    return inside || nearest <= near;
+}
+
+static bool holds_border(const cut *c, uint32_t p, const ktg_pattern_piece *piece, double near) {
+    const ktg_topology *t = c->t;
+    for (uint32_t k = t->border_first[p]; k < t->border_first[p + 1]; k++)
+        if (!is_within(piece, ktg_start_of(t, t->border[k]), near))
+            return false;
+    return true;
+}
+
+/* One try. `loop`: parts of the line that go around nothing of the piece (the hem of a piece that
+ * ends in a point, turned over in that point) may be cut off. */
+static ktg_status try_line(ktg_context *context, cut *c, uint32_t p, bool loop,
+                           ktg_pattern_piece *piece, bool *done) {
     double widest = fmax(fmax(c->options->allowance_mm, c->options->hem_mm), 0.1);
-    for (int k = 0; k < NUDGES; k++) {
-        bool simple = false;
-        c->nudge = 1 + k * NUDGE;
-        KTG_TRY(go_around(context, c, p));
-        KTG_TRY(ktg_outermost_walk(context, c->points, c->count, 1e-7 * widest, &piece->outline,
-                                   &piece->outline_count, &simple));
-        if (simple)
-            return KTG_OK;
+    ktg_vec2 inside = deep_inside(piece);
+    KTG_TRY(go_around(context, c, p));
+    KTG_TRY(ktg_outermost_walk(context, c->points, c->count, 1e-7 * widest, loop ? &inside : NULL,
+                               &piece->outline, &piece->outline_count, done));
+    *done = *done && (!loop || holds_border(c, p, piece, 3e-7 * widest));
+    if (!*done) {
         ktg_free(piece->outline);
         piece->outline = NULL;
         piece->outline_count = 0;
     }
+    return KTG_OK;
+}
+
+/* With all care, then with hems that end plainly, then with loops cut off. */
+static ktg_status clean(ktg_context *context, cut *c, uint32_t p, ktg_pattern_piece *piece) {
+    bool done = false;
+    for (int way = 0; way < 4; way++)
+        for (int k = 0; k < NUDGES; k++) {
+            c->nudge = 1 + k * NUDGE;
+            c->plain = way % 2 == 1;
+            KTG_TRY(try_line(context, c, p, way >= 2, piece, &done));
+            if (done)
+                return KTG_OK;
+        }
     return ktg_fail(context, KTG_GEOMETRY,
                     "the seam allowance around piece %u (%s) crosses itself: choose a smaller one",
                     p + 1, piece->name ? piece->name : "no name");
@@ -248,6 +303,7 @@ ktg_status ktg_cutting_line(ktg_context *context, const ktg_cloth *cloth, uint32
     ktg_pattern_piece *piece = &cloth->pattern->pieces[p];
     ktg_status status = clean(context, &c, p, piece);
     c.nudge = 1;
+    c.plain = false;
     if (status == KTG_OK)
         status = draw_darts(context, &c, p, piece);
     ktg_free(c.points);

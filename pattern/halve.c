@@ -3,11 +3,20 @@
 #include "core/memory.h"
 #include "pattern/cloth.h"
 
+#include <math.h>
 #include <string.h>
 
-/* Where x = middle crosses from a to b. */
+/* What lies so near to the fold lies on it: a mark in the middle of a seam that is its own mirror
+ * image is drawn. */
+#define ON_FOLD_MM 1e-6
+
+static bool is_right(ktg_vec2 p, double middle) {
+    return p.x >= middle - ON_FOLD_MM;
+}
+
+/* Where x = middle crosses from a to b, one of which is on its right. */
 static ktg_vec2 crossing(ktg_vec2 a, ktg_vec2 b, double middle) {
-    double t = (middle - a.x) / (b.x - a.x);
+    double t = fmax(0, fmin((middle - a.x) / (b.x - a.x), 1));
     return (ktg_vec2){middle, a.y + t * (b.y - a.y)};
 }
 
@@ -22,9 +31,9 @@ static ktg_status right_half(ktg_context *context, const ktg_pattern_piece *piec
         return KTG_MEMORY;
     for (size_t i = 0; i < n; i++) {
         ktg_vec2 a = piece->outline[i], b = piece->outline[(i + 1) % n];
-        if (a.x >= middle)
+        if (is_right(a, middle))
             (*half)[(*count)++] = a;
-        if ((a.x >= middle) == (b.x >= middle))
+        if (is_right(a, middle) == is_right(b, middle))
             continue;
         ktg_vec2 at = crossing(a, b, middle);
         (*half)[(*count)++] = at;
@@ -42,11 +51,12 @@ static ktg_status right_half(ktg_context *context, const ktg_pattern_piece *piec
 static ktg_status keep_right(ktg_context *context, const ktg_pattern_line *line, double middle,
                              ktg_pattern_piece *piece) {
     for (size_t i = 0; i < line->point_count; i++) {
-        bool starts = line->points[i].x >= middle && (i == 0 || line->points[i - 1].x < middle);
+        bool starts =
+            is_right(line->points[i], middle) && (i == 0 || !is_right(line->points[i - 1], middle));
         if (!starts)
             continue;
         size_t end = i;
-        while (end + 1 < line->point_count && line->points[end + 1].x >= middle)
+        while (end + 1 < line->point_count && is_right(line->points[end + 1], middle))
             end++;
         ktg_vec2 *points = ktg_new(context, end - i + 3, ktg_vec2);
         if (!points)

@@ -94,6 +94,18 @@ typedef struct place {
     ktg_vec2 at, out;
 } place;
 
+/* A mark so near to a corner of its seam stands at the corner. */
+#define AT_CORNER_MM 1e-3
+
+/* The way out at the end of a seam's k-th edge: of both edges that meet there. */
+static ktg_vec2 out_at_corner(const ktg_cloth *cloth, const ktg_pattern_seam *seam, uint32_t side,
+                              uint32_t k) {
+    uint32_t next = k + 1 < seam->edge_count ? k + 1 : k;
+    ktg_vec2 a = ktg_along(cloth->topology, ktg_seam_halfedge(cloth->pattern, seam, k, side));
+    ktg_vec2 b = ktg_along(cloth->topology, ktg_seam_halfedge(cloth->pattern, seam, next, side));
+    return ktg_unit2(ktg_outward(ktg_add2(a, b)));
+}
+
 /* `along_mm` along a side of a seam, from where side 0 begins. */
 static place place_on_side(const ktg_cloth *cloth, const ktg_pattern_seam *seam, uint32_t side,
                            double along_mm) {
@@ -102,6 +114,8 @@ static place place_on_side(const ktg_cloth *cloth, const ktg_pattern_seam *seam,
         uint32_t h = ktg_seam_halfedge(cloth->pattern, seam, k, side);
         ktg_vec2 a = ktg_start_of(t, h), b = ktg_end_of(t, h), from = side == 0 ? a : b;
         double length = apart(a, b);
+        if (fabs(along_mm - length) < AT_CORNER_MM)
+            return (place){side == 0 ? b : a, out_at_corner(cloth, seam, side, k)};
         if (along_mm <= length || k + 1 == seam->edge_count) {
             ktg_vec2 along = ktg_along(t, h);
             return (place){ktg_madd2(from, side == 0 ? along_mm : -along_mm, along),
@@ -134,18 +148,31 @@ static place place_of_mark(const ktg_cloth *cloth, const ktg_pattern_seam *seam,
     return place_on_side(cloth, seam, side, notch->at * seam->lengths_mm[side] + aside);
 }
 
-/* Whether all marks of a notch lie in the allowance of their own seam, on both sides: not where
- * cloth was cleaned away, or where the piece is near itself. */
+/* Whether all marks of a notch lie at their own seam and in its allowance, on both sides: not
+ * beyond its ends, where cloth was cleaned away, or where the piece is near itself. */
 static bool can_be_drawn(const ktg_cloth *cloth, const ktg_pattern_seam *seam,
                          const ktg_pattern_notch *notch) {
     double most = 1.2 * cloth->options->allowance_mm + 0.1;
-    for (uint32_t side = 0; side < 2; side++)
+    double wide = (notch->marks - 1) / 2.0 * APART_MM;
+    for (uint32_t side = 0; side < 2; side++) {
+        double along = notch->at * seam->lengths_mm[side];
+        if (along < wide || along > seam->lengths_mm[side] - wide)
+            return false;
         for (uint32_t m = 0; m < notch->marks; m++) {
             place p = place_of_mark(cloth, seam, side, notch, m);
             if (!(reach(&cloth->pattern->pieces[seam->pieces[side]], p) <= most))
                 return false;
         }
+    }
     return true;
+}
+
+/* Whether the marks of a notch can be told from those of the one before it. */
+static bool stands_apart(const ktg_pattern_seam *seam, const ktg_pattern_notch *notch) {
+    if (seam->notch_count == 0)
+        return true;
+    double before = seam->notches[seam->notch_count - 1].at;
+    return (notch->at - before) * seam->lengths_mm[0] >= 0.99 * (notch->marks + 1) * APART_MM;
 }
 
 /* Adds the notch, or one near it, where it can be drawn. */
@@ -154,7 +181,7 @@ static void add_notch(const ktg_cloth *cloth, ktg_pattern_seam *seam, ktg_patter
     double wished = notch.at;
     for (size_t k = 0; k < sizeof aside / sizeof *aside; k++) {
         notch.at = wished + aside[k];
-        if (can_be_drawn(cloth, seam, &notch)) {
+        if (stands_apart(seam, &notch) && can_be_drawn(cloth, seam, &notch)) {
             seam->notches[seam->notch_count++] = notch;
             return;
         }
@@ -165,8 +192,10 @@ static ktg_status mark_seam(ktg_context *context, const ktg_cloth *cloth, ktg_pa
     double length = (seam->lengths_mm[0] + seam->lengths_mm[1]) / 2;
     if (length < SHORT_MM || seam->dart)
         return KTG_OK;
+    uint32_t marks = rarest_marks(cloth, seam);
     double wished = floor(length / cloth->options->notch_every_mm + 0.5);
-    uint32_t count = (uint32_t)fmax(1, fmin(wished, MOST)), marks = rarest_marks(cloth, seam);
+    double most = fmin(MOST, floor(length / ((marks + 1) * APART_MM)) - 1);
+    uint32_t count = (uint32_t)fmax(1, fmin(wished, most));
     bool even = is_own_mirror(cloth, seam);
     seam->notches = ktg_new(context, count, ktg_pattern_notch);
     if (!seam->notches)

@@ -79,7 +79,7 @@ static ktg_status offset(ktg_context *context, const ktg_vec2 *corners, size_t c
     for (int k = 0; k < NUDGES; k++) {
         bool simple = false;
         raw_offset(corners, count, distance * (1 + k * NUDGE), raw);
-        KTG_TRY(ktg_outermost_walk(context, raw->points, raw->count, 1e-7 * distance, outline,
+        KTG_TRY(ktg_outermost_walk(context, raw->points, raw->count, 1e-7 * distance, NULL, outline,
                                    outline_count, &simple));
         if (simple)
             return KTG_OK;

@@ -6,6 +6,7 @@
 #include "pattern/grid.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* A place on a side of the curve where it is split. */
 typedef struct split {
@@ -25,6 +26,7 @@ typedef struct walk {
     const ktg_vec2 *curve;
     uint32_t count;
     double near;
+    const ktg_vec2 *inside; /* or NULL */
     ktg_box *boxes;
     ktg_grid grid;
     split *splits;
@@ -208,31 +210,75 @@ static uint32_t rightmost(const walk *w, uint32_t node, double back) {
     return first;
 }
 
-/* Walks until the first arc comes again; *simple when no node came twice. */
-static ktg_status walk_around(ktg_context *context, walk *w, ktg_vec2 **outline,
-                              size_t *outline_count, bool *simple) {
-    bool *seen = ktg_new(context, w->node_count, bool);
+/* Walks until the first arc comes again; path: the nodes it comes through. */
+static bool walk_around(const walk *w, uint32_t *path, size_t *count) {
+    *count = 0;
+    if (w->arc_count == 0)
+        return false;
+    uint32_t start = rightmost(w, 0, -KTG_PI), a = start; /* node 0 is the leftmost: one comes to
+                                                             it from the left */
+    do {
+        path[(*count)++] = w->arcs[a].from;
+        ktg_vec2 back = ktg_sub2(w->nodes[w->arcs[a].from], w->nodes[w->arcs[a].to]);
+        a = rightmost(w, w->arcs[a].to, atan2(back.y, back.x));
+    } while (a != start && *count < w->arc_count);
+    return a == start;
+}
+
+/* ---- loops -------------------------------------------------------------------------------- */
+
+static bool goes_around(const walk *w, const uint32_t *path, size_t count, ktg_vec2 p) {
+    bool inside = false;
+    for (size_t i = 0; i < count; i++) {
+        ktg_vec2 a = w->nodes[path[i]], b = w->nodes[path[i + 1 == count ? 0 : i + 1]];
+        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
+            inside = !inside;
+    }
+    return inside;
+}
+
+/* A path that comes through nodes twice consists of loops that have a node in common: keeps the one
+ * around w->inside. place: node_count entries, KTG_NONE. False where there are several and none is
+ * wanted. */
+static bool keep_loop(const walk *w, uint32_t *place, uint32_t *path, size_t *count) {
+    size_t top = 0; /* path[0..top): what is not yet closed */
+    for (size_t i = 0; i < *count; i++) {
+        uint32_t node = path[i], first = place[node];
+        if (first == KTG_NONE) {
+            place[node] = (uint32_t)top;
+            path[top++] = node;
+            continue;
+        }
+        if (!w->inside)
+            return false;
+        if (goes_around(w, path + first, top - first, *w->inside)) {
+            *count = top - first;
+            memmove(path, path + first, *count * sizeof *path);
+            return true;
+        }
+        for (; top > (size_t)first + 1; top--)
+            place[path[top - 1]] = KTG_NONE;
+    }
+    *count = top;
+    return true;
+}
+
+static ktg_status find_outline(ktg_context *context, walk *w, ktg_vec2 **outline,
+                               size_t *outline_count, bool *simple) {
+    uint32_t *place = ktg_new(context, w->node_count, uint32_t);
+    uint32_t *path = ktg_new(context, w->arc_count + 1, uint32_t);
     *outline = ktg_new(context, w->arc_count + 1, ktg_vec2);
+    ktg_status status = place && path && *outline ? KTG_OK : KTG_MEMORY;
+    for (uint32_t n = 0; status == KTG_OK && n < w->node_count; n++)
+        place[n] = KTG_NONE;
     *outline_count = 0;
-    *simple = w->arc_count > 0;
-    if (!seen || !*outline) {
-        ktg_free(seen);
-        return KTG_MEMORY;
-    }
-    if (w->arc_count > 0) { /* node 0 is the leftmost: one comes to it from the left */
-        uint32_t start = rightmost(w, 0, -KTG_PI), a = start;
-        do {
-            uint32_t from = w->arcs[a].from;
-            *simple = *simple && !seen[from];
-            seen[from] = true;
-            (*outline)[(*outline_count)++] = w->nodes[from];
-            ktg_vec2 back = ktg_sub2(w->nodes[from], w->nodes[w->arcs[a].to]);
-            a = rightmost(w, w->arcs[a].to, atan2(back.y, back.x));
-        } while (a != start && *outline_count < w->arc_count);
-        *simple = *simple && a == start && *outline_count >= 3;
-    }
-    ktg_free(seen);
-    return KTG_OK;
+    *simple = status == KTG_OK && walk_around(w, path, outline_count) &&
+              keep_loop(w, place, path, outline_count) && *outline_count >= 3;
+    for (size_t i = 0; status == KTG_OK && i < *outline_count; i++)
+        (*outline)[i] = w->nodes[path[i]];
+    ktg_free(place);
+    ktg_free(path);
+    return status;
 }
 
 /* Corners on a straight line say nothing. */
@@ -253,19 +299,19 @@ static ktg_status run(ktg_context *context, walk *w, ktg_vec2 **outline, size_t 
     KTG_TRY(split_all(context, w));
     KTG_TRY(join_nodes(context, w));
     KTG_TRY(build_arcs(context, w));
-    KTG_TRY(walk_around(context, w, outline, outline_count, simple));
+    KTG_TRY(find_outline(context, w, outline, outline_count, simple));
     drop_straight(*outline, outline_count, w->near);
     *simple = *simple && *outline_count >= 3;
     return KTG_OK;
 }
 
 ktg_status ktg_outermost_walk(ktg_context *context, const ktg_vec2 *curve, size_t count,
-                              double near, ktg_vec2 **outline, size_t *outline_count,
-                              bool *simple) {
+                              double near, const ktg_vec2 *inside, ktg_vec2 **outline,
+                              size_t *outline_count, bool *simple) {
     *outline = NULL;
     if (count >= KTG_NONE)
         return ktg_fail(context, KTG_LIMIT, "an outline of %zu points is too long", count);
-    walk w = {.curve = curve, .count = (uint32_t)count, .near = near};
+    walk w = {.curve = curve, .count = (uint32_t)count, .near = near, .inside = inside};
     ktg_status status = run(context, &w, outline, outline_count, simple);
     ktg_grid_drop(&w.grid);
     ktg_free(w.boxes);

@@ -7,7 +7,7 @@
 
 #define SAME_MM  0.6 /* shapes that are cut by one paper */
 #define NOTCH_MM 1.5 /* from where a notch is said to be */
-#define REACH_MM 60  /* a mark begins so far from its seam, at most */
+#define REACH_MM 60  /* a mark begins so far from its seam, at most; more where cuts are wider */
 
 /* ---- outlines ----------------------------------------------------------------------------- */
 
@@ -175,14 +175,38 @@ static ktg_vec2 point_at(const way *w, double at) {
     return w->points[0];
 }
 
+typedef struct extent {
+    ktg_vec2 low, high;
+} extent;
+
+static extent extent_of(const ktg_vec2 *points, size_t count) {
+    extent e = {points[0], points[0]};
+    for (size_t k = 1; k < count; k++) {
+        e.low = (ktg_vec2){fmin(e.low.x, points[k].x), fmin(e.low.y, points[k].y)};
+        e.high = (ktg_vec2){fmax(e.high.x, points[k].x), fmax(e.high.y, points[k].y)};
+    }
+    return e;
+}
+
+/* How far the marks of a piece may begin from their seams: its cutting line reaches over its border
+ * by about the allowance. */
+static double reach_of(const ktg_check *check, const ktg_pattern_piece *piece) {
+    extent sewn = extent_of(piece->vertices, piece->vertex_count);
+    extent cut = extent_of(piece->outline, piece->outline_count);
+    double wide = fmax(fmax(sewn.low.x - cut.low.x, sewn.low.y - cut.low.y),
+                       fmax(cut.high.x - sewn.high.x, cut.high.y - sewn.high.y));
+    return fmax(REACH_MM * check->mm, 1.5 * wide);
+}
+
 /* A mark of the piece that points at p from the cut, or from it into the piece. */
 static bool has_mark(const ktg_check *check, const ktg_pattern_piece *piece, ktg_vec2 p) {
+    double reach = reach_of(check, piece);
     for (size_t i = 0; i < piece->line_count; i++) {
         const ktg_pattern_line *line = &piece->lines[i];
         if (line->kind != KTG_LINE_NOTCH || line->point_count != 2)
             continue;
         ktg_vec2 in = ktg_unit2(ktg_sub2(line->points[1], line->points[0]));
-        ktg_vec2 end = ktg_madd2(line->points[0], REACH_MM * check->mm, in);
+        ktg_vec2 end = ktg_madd2(line->points[0], reach, in);
         if (distance_to(p, line->points[0], end) <= NOTCH_MM * check->mm)
             return true;
     }
@@ -223,20 +247,6 @@ static ktg_status check_notches(ktg_check *check, uint32_t s) {
 
 /* ---- twins -------------------------------------------------------------------------------- */
 
-typedef struct extent {
-    ktg_vec2 low, high;
-} extent;
-
-static extent extent_of(const ktg_pattern_piece *piece) {
-    extent e = {piece->vertices[0], piece->vertices[0]};
-    for (size_t v = 1; v < piece->vertex_count; v++) {
-        ktg_vec2 p = piece->vertices[v];
-        e.low = (ktg_vec2){fmin(e.low.x, p.x), fmin(e.low.y, p.y)};
-        e.high = (ktg_vec2){fmax(e.high.x, p.x), fmax(e.high.y, p.y)};
-    }
-    return e;
-}
-
 static const ktg_pattern_line *sewing_line(const ktg_pattern_piece *piece) {
     for (size_t i = 0; i < piece->line_count; i++)
         if (piece->lines[i].kind == KTG_LINE_SEW && piece->lines[i].point_count > 1)
@@ -261,7 +271,8 @@ static ktg_vec2 onto(ktg_vec2 p, extent from, extent to, bool mirror) {
 static bool lies_on(const ktg_check *check, const ktg_pattern_piece *a, const ktg_pattern_piece *b,
                     bool mirror) {
     const ktg_pattern_line *from = sewing_line(a), *to = sewing_line(b);
-    extent ea = extent_of(a), eb = extent_of(b);
+    extent ea = extent_of(a->vertices, a->vertex_count),
+           eb = extent_of(b->vertices, b->vertex_count);
     for (size_t i = 0; i < from->point_count; i++) {
         ktg_vec2 p = onto(from->points[i], ea, eb, mirror);
         if (distance_to_line(p, to) > 2 * SAME_MM * check->mm)

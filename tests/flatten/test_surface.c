@@ -91,6 +91,44 @@ static void a_marked_edge_is_a_slit(void **state) {
     ktg_mesh_free(&mesh);
 }
 
+/* Its two sides lie between the same two vertices: nothing would open there. */
+static void a_marked_edge_that_parts_nothing_is_no_seam(void **state) {
+    ktg_mesh *mesh = grid_panel(*state, plane, SIDE);
+    const uint32_t row = SIDE + 1, edges[] = {6, 6 + row, 5 + 6 * row, 5 + 7 * row};
+    assert_int_equal(ktg_mesh_mark(*state, mesh, edges, 2), KTG_OK);
+    ktg_pattern *pattern = flatten(*state, mesh, NULL, NULL);
+    assert_int_equal(pattern->piece_count, 1);
+    assert_int_equal(count_kind(pattern, KTG_EDGE_CUT), 1); /* the one at the border */
+    ktg_pattern_free(&pattern);
+    ktg_mesh_free(&mesh);
+}
+
+/* Eight equilateral triangles around a point, slit: laid flat as they are, the last two lie on the
+ * first two, corner on corner, so that no edges of the border cross. */
+static void a_slit_whose_sides_pass_each_other_is_found(void **state) {
+    double positions[3 * 9] = {0}, height = sqrt((sqrt(2) - 1) / 3);
+    uint32_t faces[3 * 8];
+    for (uint32_t k = 0; k < 8; k++) {
+        positions[3 * k + 3] = cos(k * KTG_PI / 4);
+        positions[3 * k + 4] = sin(k * KTG_PI / 4);
+        positions[3 * k + 5] = k % 2 ? height : -height;
+        faces[3 * k] = 0;
+        faces[3 * k + 1] = k + 1;
+        faces[3 * k + 2] = (k + 1) % 8 + 1;
+    }
+    ktg_mesh *mesh;
+    assert_int_equal(ktg_mesh_new(*state, positions, 9, faces, 8, &mesh), KTG_OK);
+    const uint32_t slit[] = {0, 1};
+    assert_int_equal(ktg_mesh_mark(*state, mesh, slit, 1), KTG_OK);
+    ktg_pattern *pattern;
+    ktg_flatten_options options;
+    ktg_flatten_defaults(&options);
+    options.seams = KTG_SEAMS_MARKED; /* and no others */
+    assert_int_equal(ktg_flatten(*state, mesh, "thing", &options, &pattern, NULL), KTG_GEOMETRY);
+    assert_non_null(strstr(ktg_context_message(*state), "lies on itself"));
+    ktg_mesh_free(&mesh);
+}
+
 static void creases_and_jumps_of_texture_are_seams_where_wanted(void **state) {
     ktg_mesh *mesh = grid_panel(*state, zigzag, SIDE);
     ktg_flatten_options options;
@@ -291,6 +329,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         TEST(groups_become_panels),
         TEST(a_marked_edge_is_a_slit),
+        TEST(a_marked_edge_that_parts_nothing_is_no_seam),
+        TEST(a_slit_whose_sides_pass_each_other_is_found),
         TEST(creases_and_jumps_of_texture_are_seams_where_wanted),
         TEST(both_sides_of_a_seam_become_equally_long),
         TEST(seams_that_fit_leave_panels_alone),

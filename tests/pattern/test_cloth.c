@@ -109,6 +109,25 @@ static void allowances_share_a_narrow_gap(void **state) {
 
 /* ---- darts -------------------------------------------------------------------------------- */
 
+/* The sides of a small triangle meet before its hem is as wide as it should be: what would come
+ * beyond that point is left out. */
+static void a_hem_ends_where_its_sides_meet(void **state) {
+    const cloth_piece pieces[3] = {
+        {"tip", 3, {{0.32, 0}, {1.7, 2.66}, {0, 2.58}}, {0, 1, 2}},
+        {"left", 3, {{0.32, 0}, {0, 2.58}, {-9, 0}}, {0, 2, 3}},
+        {"right", 3, {{0.32, 0}, {9, 0}, {1.7, 2.66}}, {0, 4, 1}},
+    };
+    const ktg_vec3 positions[5] = {
+        {0.32, 0, 0}, {1.7, 2.66, 0}, {0, 2.58, 0}, {-9, 0, 0}, {9, 0, 0}};
+    ktg_pattern *p = cloth_make(*state, pieces, 3, positions, 5);
+    ktg_finish_options options;
+    ktg_finish_defaults(&options);
+    options.allowance_mm = 0.01;
+    finish(*state, p, &options);
+    assert_true(area_of(&p->pieces[0]) > 2.3);
+    ktg_pattern_free(&p);
+}
+
 static void a_dart_is_folded_under_a_peak(void **state) {
     ktg_pattern *p = cloth_with_dart(*state);
     ktg_finish_report report = finish(*state, p, NULL);
@@ -195,6 +214,25 @@ static void without_an_allowance_notches_are_drawn_inwards(void **state) {
 
 /* ---- twins and halves --------------------------------------------------------------------- */
 
+/* However many are asked for, they can be told from each other and lie at their own seam. */
+static void notches_do_not_run_into_each_other(void **state) {
+    ktg_pattern *p = cloth_oblongs(*state);
+    ktg_finish_options options;
+    ktg_finish_defaults(&options);
+    options.notch_every_mm = 1;
+    finish(*state, p, &options);
+    const ktg_pattern_seam *seam = &p->seams[0];
+    assert_true(seam->notch_count > 10);
+    double end = 0;
+    for (size_t k = 0; k < seam->notch_count; k++) {
+        double at = 600 * seam->notches[k].at, wide = 3.0 * (seam->notches[k].marks - 1.0);
+        assert_true(at - wide > end + 5);
+        end = at + wide;
+    }
+    assert_true(end < 600);
+    ktg_pattern_free(&p);
+}
+
 static void mirror_images_are_cut_together(void **state) {
     ktg_pattern *p = cloth_oblongs(*state);
     assert_int_equal(finish(*state, p, NULL).twins, 1);
@@ -243,6 +281,32 @@ static void what_is_not_symmetric_stays_whole(void **state) {
     ktg_pattern_free(&p);
 }
 
+/* The middle of the seam between front and back is its mark, and lies on the fold of both. */
+static void a_mark_on_the_fold_is_drawn(void **state) {
+    const cloth_piece pieces[2] = {
+        {"front", 5, {{50.05, 9}, {0, 0}, {0.7, -100}, {99.4, -100}, {100.1, 0}}, {6, 0, 2, 3, 1}},
+        {"back", 5, {{50.05, 9}, {100.1, 0}, {90.1, 200}, {10, 200}, {0, 0}}, {6, 1, 4, 5, 0}},
+    };
+    const ktg_vec3 positions[7] = {{0, 0, 0},    {100, 0, 0},  {0, -100, 0}, {100, -100, 0},
+                                   {90, 200, 0}, {10, 200, 0}, {50, 9, 0}};
+    static const char *const names[] = {"front", "back"};
+    ktg_pattern *p = cloth_make(*state, pieces, 2, positions, 7);
+    ktg_finish_options options;
+    ktg_finish_defaults(&options);
+    options.on_fold = names;
+    options.on_fold_count = 2;
+    finish(*state, p, &options);
+    assert_int_equal(p->seams[0].notch_count, 1);
+    for (size_t k = 0; k < 2; k++) {
+        size_t marks = 0;
+        assert_true(p->pieces[k].on_fold);
+        for (size_t i = 0; i < p->pieces[k].line_count; i++)
+            marks += p->pieces[k].lines[i].kind == KTG_LINE_NOTCH;
+        assert_int_equal(marks, 1);
+    }
+    ktg_pattern_free(&p);
+}
+
 /* ---- labels, memory ----------------------------------------------------------------------- */
 
 static void labels_lie_within_the_seams(void **state) {
@@ -253,6 +317,31 @@ static void labels_lie_within_the_seams(void **state) {
     for (size_t i = 0; i < p->pieces[0].label_count; i++) {
         ktg_vec2 at = p->pieces[0].labels[i].at;
         assert_true(at.x > 0 && at.x < 100 && at.y > 0 && at.y < 600);
+    }
+    ktg_pattern_free(&p);
+}
+
+/* Too small for any writing, and the middle of what is cut lies far from what is sewn. */
+static void a_tiny_piece_has_its_name_within_the_seams(void **state) {
+    const cloth_piece tiny[2] = {
+        {"left", 4, {{0, 0}, {2, 0}, {2, 3}, {0, 3}}, {0, 1, 2, 3}},
+        {"right", 4, {{0, 0}, {2, 0}, {2, 3}, {0, 3}}, {1, 4, 5, 2}},
+    };
+    const ktg_vec3 positions[6] = {{0, 0, 0}, {2, 0, 0}, {2, 3, 0},
+                                   {0, 3, 0}, {4, 0, 0}, {4, 3, 0}};
+    ktg_pattern *p = cloth_make(*state, tiny, 2, positions, 6);
+    ktg_finish_options options;
+    ktg_finish_defaults(&options);
+    options.allowance_mm = 200;
+    options.hem_mm = 0;
+    options.twins = false;
+    finish(*state, p, &options);
+    for (size_t k = 0; k < 2; k++) {
+        assert_true(has_label(&p->pieces[k], tiny[k].name));
+        for (size_t i = 0; i < p->pieces[k].label_count; i++) {
+            ktg_vec2 at = p->pieces[k].labels[i].at;
+            assert_true(at.x > -5 && at.x < 7 && at.y > -5 && at.y < 8);
+        }
     }
     ktg_pattern_free(&p);
 }
@@ -282,14 +371,18 @@ int main(void) {
         cmocka_unit_test(seams_and_hems_have_allowances_of_their_own),
         cmocka_unit_test(a_hem_is_as_wide_as_what_it_is_turned_up_on),
         cmocka_unit_test(allowances_share_a_narrow_gap),
+        cmocka_unit_test(a_hem_ends_where_its_sides_meet),
         cmocka_unit_test(a_dart_is_folded_under_a_peak),
         cmocka_unit_test(what_opens_wide_is_no_dart),
         cmocka_unit_test(notches_meet),
+        cmocka_unit_test(notches_do_not_run_into_each_other),
         cmocka_unit_test(without_an_allowance_notches_are_drawn_inwards),
         cmocka_unit_test(mirror_images_are_cut_together),
         cmocka_unit_test(a_symmetric_piece_is_halved_on_the_fold),
         cmocka_unit_test(what_is_not_symmetric_stays_whole),
         cmocka_unit_test(labels_lie_within_the_seams),
+        cmocka_unit_test(a_mark_on_the_fold_is_drawn),
+        cmocka_unit_test(a_tiny_piece_has_its_name_within_the_seams),
         cmocka_unit_test(every_failing_allocation_is_survived),
     };
     return cmocka_run_group_tests_name("pattern/cloth", tests, make_context, drop_context);

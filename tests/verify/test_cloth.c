@@ -35,6 +35,17 @@ static void what_was_made_is_sound(void **state) {
     check(*state, finished(*state, cloth_with_dart(*state), "skirt"), NULL);
 }
 
+/* Marks begin at the cut, however far that is from the seam. */
+static void wide_allowances_are_sound(void **state) {
+    ktg_pattern *p = cloth_oblongs(*state);
+    ktg_finish_options options;
+    ktg_finish_defaults(&options);
+    options.allowance_mm = 300;
+    assert_int_equal(ktg_pattern_finish(*state, p, &options, NULL), KTG_OK);
+    assert_true(p->seams[0].notch_count > 0);
+    check(*state, p, NULL);
+}
+
 static void a_cutting_line_that_crosses_itself_is_refused(void **state) {
     ktg_pattern *p = finished(*state, cloth_oblongs(*state), NULL);
     ktg_vec2 swap = p->pieces[0].outline[1];
@@ -100,6 +111,7 @@ static void half_a_piece_needs_its_fold(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_was_made_is_sound),
+        cmocka_unit_test(wide_allowances_are_sound),
         cmocka_unit_test(a_cutting_line_that_crosses_itself_is_refused),
         cmocka_unit_test(cloth_outside_its_cutting_line_is_refused),
         cmocka_unit_test(a_notch_without_its_mark_is_refused),
