@@ -75,6 +75,15 @@ static inline ktg_vec3 ktg_unit3(ktg_vec3 a) {
     return length > 0 ? ktg_mul3(a, 1 / length) : (ktg_vec3){0, 0, 0};
 }
 
+/* The largest coordinate without its sign. */
+static inline double ktg_largest3(ktg_vec3 v) {
+    return fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
+}
+/* a times 2^exponent, which is exact */
+static inline ktg_vec3 ktg_ldexp3(ktg_vec3 a, int exponent) {
+    return (ktg_vec3){ldexp(a.x, exponent), ldexp(a.y, exponent), ldexp(a.z, exponent)};
+}
+
 /* Rigid motion of the plane without reflection: p -> R p + t, R = [c -s; s c]. */
 typedef struct ktg_motion2 {
     double c, s;

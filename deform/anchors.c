@@ -1,6 +1,7 @@
 /* deform/anchors.c - is every part held? One that hangs on nothing fixed and no handle, not even by
  * links, has no place: the system would be singular, and the part would fly anywhere. */
 #include "core/memory.h"
+#include "core/sets.h"
 #include "deform/solver.h"
 
 #include <stdio.h>
@@ -10,19 +11,19 @@ static void join_all(const ktg_frame *frame, const ktg_bodies *bodies, uint32_t 
     for (uint32_t v = 0; v < mesh->vertex_count; v++)
         parent[v] = v;
     for (uint32_t v = 0; v < mesh->vertex_count; v++)
-        ktg_join(parent, v, ktg_root(bodies->parent, v));
+        ktg_set_join(parent, v, ktg_set_of(bodies->parent, v));
     for (size_t h = 0; h < 3 * (size_t)mesh->face_count; h++)
-        ktg_join(parent, mesh->faces[h], mesh->faces[h % 3 == 2 ? h - 2 : h + 1]);
+        ktg_set_join(parent, mesh->faces[h], mesh->faces[h % 3 == 2 ? h - 2 : h + 1]);
     for (uint32_t i = 0; i < bodies->follower_count; i++)
         for (int k = 0; k < 3 && bodies->followers[i].masters[k] != KTG_NONE; k++)
-            ktg_join(parent, bodies->followers[i].vertex, bodies->followers[i].masters[k]);
+            ktg_set_join(parent, bodies->followers[i].vertex, bodies->followers[i].masters[k]);
 }
 
 /* held[root]: something in the set is fixed or a handle. */
 static void mark_held(const ktg_bodies *bodies, uint32_t *parent, bool *held) {
     for (uint32_t v = 0; v < bodies->vertex_count; v++)
-        if (bodies->hold[ktg_root(bodies->parent, v)] != KTG_NONE)
-            held[ktg_root(parent, v)] = true;
+        if (bodies->hold[ktg_set_of(bodies->parent, v)] != KTG_NONE)
+            held[ktg_set_of(parent, v)] = true;
 }
 
 /* How large a part is, in the model's unit. */
@@ -65,7 +66,7 @@ static ktg_status check(ktg_context *context, const ktg_frame *frame, uint32_t *
     uint32_t first = KTG_NONE, loose = 0;
     for (uint32_t v = 0; v < frame->mesh->vertex_count; v++) {
         uint32_t part = frame->component[v];
-        if (part == KTG_NONE || held[ktg_root(parent, v)] || seen[part])
+        if (part == KTG_NONE || held[ktg_set_of(parent, v)] || seen[part])
             continue;
         seen[part] = true;
         loose++;

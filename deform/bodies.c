@@ -4,6 +4,7 @@
  * are joined by union-find, and a body then has one turn, one position and one scale. So they hold
  * to rounding, and there is no weight that means something else in another unit. */
 #include "core/memory.h"
+#include "core/sets.h"
 #include "deform/solver.h"
 
 #include <stdio.h>
@@ -50,7 +51,7 @@ static ktg_status two_ways(ktg_context *context, const ktg_frame *frame, uint32_
 ktg_status ktg_bodies_join(ktg_context *context, const ktg_frame *frame, ktg_bodies *bodies,
                            uint32_t a, uint32_t b, const char *kind, const char *name,
                            uint64_t line) {
-    uint32_t x = ktg_root(bodies->parent, a), y = ktg_root(bodies->parent, b);
+    uint32_t x = ktg_set_of(bodies->parent, a), y = ktg_set_of(bodies->parent, b);
     if (x == y)
         return KTG_OK;
     char why[160];
@@ -59,7 +60,7 @@ ktg_status ktg_bodies_join(ktg_context *context, const ktg_frame *frame, ktg_bod
         return two_ways(context, frame, bodies->hold[x], bodies->hold[y], a, why, line);
     if (!sized_alike(frame->edit, bodies->sized[x], bodies->sized[y]))
         return two_ways(context, frame, bodies->sized[x], bodies->sized[y], a, why, line);
-    ktg_join(bodies->parent, x, y);
+    ktg_set_join(bodies->parent, x, y);
     uint32_t root = x < y ? x : y, gone = x < y ? y : x;
     bodies->size[root] += bodies->size[gone];
     if (bodies->hold[root] == KTG_NONE)
@@ -92,7 +93,7 @@ static ktg_status take_moved(ktg_context *context, const ktg_frame *frame, ktg_b
                              uint32_t number) {
     const ktg_hold *hold = &frame->edit->holds[number];
     for (uint32_t i = 0; i < hold->vertex_count; i++) {
-        uint32_t v = hold->vertices[i], root = ktg_root(bodies->parent, v);
+        uint32_t v = hold->vertices[i], root = ktg_set_of(bodies->parent, v);
         if (!moves_alike(frame->edit, bodies->hold[root], number))
             return two_ways(context, frame, bodies->hold[root], number, v, "", hold->line);
         if (bodies->hold[root] == KTG_NONE)
@@ -144,7 +145,7 @@ static ktg_status take_size(ktg_context *context, const ktg_frame *frame, ktg_bo
                             uint32_t number) {
     const ktg_hold *hold = &frame->edit->holds[number];
     for (uint32_t i = 0; i < hold->vertex_count; i++) {
-        uint32_t root = ktg_root(bodies->parent, hold->vertices[i]);
+        uint32_t root = ktg_set_of(bodies->parent, hold->vertices[i]);
         if (!sized_alike(frame->edit, bodies->sized[root], number))
             return two_ways(context, frame, bodies->sized[root], number, hold->vertices[i], "",
                             hold->line);
@@ -178,11 +179,11 @@ static ktg_status take_holds(ktg_context *context, const ktg_frame *frame, ktg_b
 static ktg_status find_pivots(ktg_context *context, const ktg_frame *frame, ktg_bodies *bodies) {
     char one[128], other[128];
     for (uint32_t v = 0; v < frame->mesh->vertex_count; v++)
-        bodies->pivot[v] = ktg_root(bodies->parent, v) == v ? v : KTG_NONE;
+        bodies->pivot[v] = ktg_set_of(bodies->parent, v) == v ? v : KTG_NONE;
     for (uint32_t h = 0; h < frame->edit->hold_count; h++) {
         const ktg_hold *hold = &frame->edit->holds[h];
         for (uint32_t i = 0; hold->kind <= KTG_HOLD_HANDLE && i < hold->vertex_count; i++) {
-            uint32_t v = hold->vertices[i], root = ktg_root(bodies->parent, v);
+            uint32_t v = hold->vertices[i], root = ktg_set_of(bodies->parent, v);
             uint32_t sized = bodies->sized[root];
             if (sized == KTG_NONE || frame->edit->holds[sized].scale == 1)
                 continue;

@@ -1,6 +1,7 @@
 /* deform/choose.c - which vertices a selection means: names, parts, borders, regions of space. */
 #include "deform/choose.h"
 #include "core/memory.h"
+#include "core/sets.h"
 #include "deform/solver.h"
 
 #include <stdio.h>
@@ -20,17 +21,6 @@ void ktg_chooser_free(ktg_chooser *chooser) {
 }
 
 /* ---- names ---------------------------------------------------------------------------------- */
-
-/* True when the name is `wanted`, or when that is one of its words. */
-static bool names_it(const char *name, const char *wanted) {
-    size_t length = strlen(wanted);
-    if (strcmp(name, wanted) == 0)
-        return true;
-    for (const char *at = strstr(name, wanted); at && length > 0; at = strstr(at + 1, wanted))
-        if ((at == name || at[-1] == ' ') && (at[length] == 0 || at[length] == ' '))
-            return true;
-    return false;
-}
 
 /* The names there are, as many as a message bears. */
 static void list_names(const ktg_names *names, char *said, size_t size) {
@@ -63,7 +53,7 @@ static ktg_status choose_named(ktg_chooser *c, const ktg_edit_line *line, const 
     const char *wanted = ktg_edit_words(c->text, line)[1].text;
     bool any = false;
     for (uint32_t n = 0; face_name && n < names->count; n++) {
-        if (!names_it(names->text[n], wanted))
+        if (!ktg_name_has(names->text[n], wanted))
             continue;
         any = true;
         for (size_t h = 0; h < 3 * (size_t)c->mesh->face_count; h++)
@@ -137,9 +127,9 @@ static ktg_status find_loops(ktg_chooser *c) {
             if (c->adjacency->edge_first[e + 1] - c->adjacency->edge_first[e] != 1)
                 continue;
             if (pass == 0)
-                ktg_join(parent, ends[0], ends[1]);
+                ktg_set_join(parent, ends[0], ends[1]);
             else
-                c->loops[ends[0]] = c->loops[ends[1]] = ktg_root(parent, ends[0]);
+                c->loops[ends[0]] = c->loops[ends[1]] = ktg_set_of(parent, ends[0]);
         }
     ktg_free(parent);
     return KTG_OK;

@@ -1,6 +1,7 @@
 /* deform/deform.c - the order of it all: check, join, assemble, factor; update; measure. */
 #include "core/clock.h"
 #include "core/memory.h"
+#include "core/sets.h"
 #include "deform/solver.h"
 
 #include <string.h>
@@ -11,7 +12,7 @@
 static void give_scales(const ktg_deform *d, bool *given, ktg_vec3 *logs) {
     const ktg_bodies *b = d->bodies;
     for (uint32_t v = 0; v < b->vertex_count; v++) {
-        uint32_t root = ktg_root(b->parent, v), sized = b->sized[root];
+        uint32_t root = ktg_set_of(b->parent, v), sized = b->sized[root];
         double scale = sized == KTG_NONE ? 0 : d->frame->edit->holds[sized].scale;
         given[v] = sized == KTG_NONE ? b->hold[root] != KTG_NONE : scale > 0;
         logs[v] = (ktg_vec3){scale > 0 ? log(scale) : 0, 0, 0};

@@ -1,6 +1,7 @@
 /* deform/frame.c - the mesh as the deformation sees it: normalised by powers of two, which is
  * exact, with its adjacency and its parts. */
 #include "core/memory.h"
+#include "core/sets.h"
 #include "deform/solver.h"
 
 #include <stdarg.h>
@@ -20,14 +21,6 @@ ktg_status ktg_edit_fail(ktg_context *context, const char *file, uint64_t line, 
     return ktg_fail(context, KTG_FORMAT, "%s%s: %s", file, number, text);
 }
 
-static double largest3(ktg_vec3 v) {
-    return fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
-}
-
-static ktg_vec3 by_power(ktg_vec3 v, int exponent) {
-    return (ktg_vec3){ldexp(v.x, exponent), ldexp(v.y, exponent), ldexp(v.z, exponent)};
-}
-
 static ktg_vec3 lower(ktg_vec3 a, ktg_vec3 b) {
     return (ktg_vec3){fmin(a.x, b.x), fmin(a.y, b.y), fmin(a.z, b.z)};
 }
@@ -37,19 +30,19 @@ static void normalise(const ktg_mesh *mesh, ktg_frame *frame) {
     double largest = 0, extent = 0;
     int first, second;
     for (uint32_t v = 0; v < mesh->vertex_count; v++)
-        largest = fmax(largest, largest3(mesh->positions[v]));
+        largest = fmax(largest, ktg_largest3(mesh->positions[v]));
     (void)frexp(largest, &first);
     ktg_vec3 low = {1, 1, 1};
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
-        frame->rest[v] = by_power(mesh->positions[v], -first);
+        frame->rest[v] = ktg_ldexp3(mesh->positions[v], -first);
         low = lower(low, frame->rest[v]);
     }
     for (uint32_t v = 0; v < mesh->vertex_count; v++)
-        extent = fmax(extent, largest3(ktg_sub3(frame->rest[v], low)));
+        extent = fmax(extent, ktg_largest3(ktg_sub3(frame->rest[v], low)));
     (void)frexp(extent, &second);
     for (uint32_t v = 0; v < mesh->vertex_count; v++)
-        frame->rest[v] = by_power(ktg_sub3(frame->rest[v], low), -second);
-    frame->low = by_power(low, -second);
+        frame->rest[v] = ktg_ldexp3(ktg_sub3(frame->rest[v], low), -second);
+    frame->low = ktg_ldexp3(low, -second);
     frame->exponent = first + second;
 }
 
@@ -61,7 +54,7 @@ static void join_faces(const ktg_mesh *mesh, uint32_t *parent, uint32_t *number)
         number[v] = KTG_NONE;
     }
     for (size_t h = 0; h < 3 * (size_t)mesh->face_count; h++)
-        ktg_join(parent, mesh->faces[h], mesh->faces[h % 3 == 2 ? h - 2 : h + 1]);
+        ktg_set_join(parent, mesh->faces[h], mesh->faces[h % 3 == 2 ? h - 2 : h + 1]);
 }
 
 ktg_status ktg_find_parts(ktg_context *context, const ktg_mesh *mesh, uint32_t **component,
@@ -79,7 +72,7 @@ ktg_status ktg_find_parts(ktg_context *context, const ktg_mesh *mesh, uint32_t *
     for (size_t h = 0; h < 3 * (size_t)mesh->face_count; h++) /* those with faces are in one */
         number[mesh->faces[h]] = 0;
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
-        uint32_t root = ktg_root(parent, v); /* not above v, so it has its number */
+        uint32_t root = ktg_set_of(parent, v); /* not above v, so it has its number */
         if (number[v] != KTG_NONE)
             number[v] = root == v ? (*count)++ : number[root];
     }

@@ -4,6 +4,7 @@
  * A vertex is in one pair of a link at most: were all linked to their nearest vertex, whole
  * stretches would become one body. */
 #include "core/memory.h"
+#include "core/sets.h"
 #include "deform/nearest.h"
 #include "deform/solver.h"
 
@@ -65,7 +66,7 @@ static bool depends_on(finder *f, uint32_t vertex, uint32_t on) {
 
 /* A vertex may follow others when nothing else says where it goes. */
 static bool is_free(const finder *f, uint32_t vertex) {
-    uint32_t root = ktg_root(f->bodies->parent, vertex);
+    uint32_t root = ktg_set_of(f->bodies->parent, vertex);
     return !f->bodies->follows[vertex] && f->bodies->size[root] == 1 &&
            f->bodies->hold[root] == KTG_NONE;
 }

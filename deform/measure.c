@@ -1,5 +1,6 @@
 /* deform/measure.c - what came out: stretch, faces turned over, what should have kept its shape. */
 #include "core/memory.h"
+#include "core/sets.h"
 #include "deform/solver.h"
 
 static const double least_area = 1e-3;   /* of what it was: degenerate */
@@ -66,7 +67,7 @@ static ktg_status measure_bodies(ktg_context *context, const shapes *s) {
     uint32_t *last = ktg_new(context, b->vertex_count, uint32_t);
     ktg_status status = radius && error && last ? KTG_OK : KTG_MEMORY;
     for (uint32_t v = 0; status == KTG_OK && v < b->vertex_count; v++) {
-        uint32_t root = ktg_root(b->parent, v), pivot = b->pivot[root];
+        uint32_t root = ktg_set_of(b->parent, v), pivot = b->pivot[root];
         uint32_t others[2] = {pivot, v == root ? pivot : last[root]};
         for (int k = 0; k < 2; k++) {
             double before = scale_of(s, root) * distance(s->before, v, others[k]);

@@ -3,6 +3,7 @@
  * A handle that only shifts gives no rotation anywhere, so that what lies between is sheared. The
  * rotation that takes the edges around a vertex, or a body, from where they were nearest to where
  * they came to tells more; with it the positions are solved once more. */
+#include "core/sets.h"
 #include "deform/solver.h"
 
 #include <string.h>
@@ -22,11 +23,11 @@ static void gather(ktg_deform *d) {
     const ktg_rows *rows = d->step_rows ? d->step_rows : d->rows;
     memset(d->spreads, 0, d->bodies->vertex_count * sizeof *d->spreads);
     for (uint32_t m = 0; m < rows->count; m++) {
-        uint32_t v = rows->vertex[m], root = ktg_root(d->bodies->parent, v);
+        uint32_t v = rows->vertex[m], root = ktg_set_of(d->bodies->parent, v);
         ktg_spread *spread = &d->spreads[root];
         for (size_t i = rows->first[m] + 1; i < rows->first[m + 1]; i++) {
             uint32_t other = rows->column[i];
-            if (ktg_root(d->bodies->parent, other) == root)
+            if (ktg_set_of(d->bodies->parent, other) == root)
                 continue; /* within a body edges only tell how it was turned */
             double weight =
                 ktg_max(-rows->value[i], least_weight * fabs(rows->value[rows->first[m]]));
@@ -78,7 +79,7 @@ void ktg_refit_turns(ktg_deform *d) {
         if (b->parent[v] == v && b->hold[v] == KTG_NONE && !b->follows[v])
             d->step_turns[v] = nearest_turn(&d->spreads[v], d->step_turns[v]);
     for (uint32_t v = 0; v < b->vertex_count; v++)
-        d->step_turns[v] = d->step_turns[b->follows[v] ? v : ktg_root(b->parent, v)];
+        d->step_turns[v] = d->step_turns[b->follows[v] ? v : ktg_set_of(b->parent, v)];
     for (uint32_t i = 0; i < b->follower_count; i++)
         d->step_turns[b->followers[i].vertex] = mean_turn(&b->followers[i], d->step_turns);
 }

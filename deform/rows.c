@@ -6,6 +6,7 @@
  * (x_0 - x_i), c_i the cotangents opposite the spoke in the fan's faces (equations 1 and 11, with
  * the sign of 1), A_m the mixed Voronoi area of Meyer et al. 2003. */
 #include "core/memory.h"
+#include "core/sets.h"
 #include "deform/solver.h"
 
 /* Cotangents of slivers are cut off here. Nothing is lost: any weights reproduce the rest shape and
@@ -47,8 +48,8 @@ static void join_over_edge(fans *f, const ktg_adjacency *a, uint32_t edge) {
         return;
     ktg_edge_ends(f->mesh, a, edge, ends);
     for (int k = 0; k < 2; k++)
-        ktg_join(f->parent, corner_at(f->mesh, sides[0], ends[k]),
-                 corner_at(f->mesh, sides[1], ends[k]));
+        ktg_set_join(f->parent, corner_at(f->mesh, sides[0], ends[k]),
+                     corner_at(f->mesh, sides[1], ends[k]));
 }
 
 /* Numbers the fans in the order of their first corners; parent becomes a corner's fan. */
@@ -67,7 +68,7 @@ static uint32_t number_fans(fans *f) {
 
 static void flatten_sets(fans *f) {
     for (uint32_t h = 0; h < 3 * f->mesh->face_count; h++)
-        f->parent[h] = ktg_root(f->parent, h);
+        f->parent[h] = ktg_set_of(f->parent, h);
 }
 
 static void sort_corners(fans *f, uint32_t fan_count) {

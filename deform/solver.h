@@ -19,19 +19,6 @@
 ktg_status ktg_edit_fail(ktg_context *context, const char *file, uint64_t line, const char *format,
                          ...) KTG_PRINTF(4, 5);
 
-/* Disjoint sets of numbers; the smallest stands for its set. */
-static inline uint32_t ktg_root(uint32_t *parent, uint32_t i) {
-    while (parent[i] != i)
-        i = parent[i] = parent[parent[i]];
-    return i;
-}
-
-static inline void ktg_join(uint32_t *parent, uint32_t a, uint32_t b) {
-    a = ktg_root(parent, a);
-    b = ktg_root(parent, b);
-    parent[a < b ? b : a] = a < b ? a : b;
-}
-
 /* ---- rows (rows.c) -------------------------------------------------------------------------- */
 
 /* A matrix of count rows over the mesh's vertices. Row m is the fan m of vertex[m]:

@@ -5,6 +5,7 @@
  * least where C^T A^T A C y = C^T A^T (target - A d). That one matrix serves turns, positions and
  * scales alike, because none of the constraints mixes coordinates. */
 #include "core/memory.h"
+#include "core/sets.h"
 #include "deform/solver.h"
 
 #include <string.h>
@@ -33,7 +34,7 @@ struct ktg_system {
 /* How many unknowns each vertex hangs on, at most; followers stand behind their masters. */
 static void count_weights(const ktg_bodies *bodies, const uint32_t *number, size_t *counts) {
     for (uint32_t v = 0; v < bodies->vertex_count; v++)
-        counts[v] = !bodies->follows[v] && number[ktg_root(bodies->parent, v)] != KTG_NONE;
+        counts[v] = !bodies->follows[v] && number[ktg_set_of(bodies->parent, v)] != KTG_NONE;
     for (uint32_t i = 0; i < bodies->follower_count; i++) {
         const ktg_follower *f = &bodies->followers[i];
         counts[f->vertex] = 0;
@@ -68,7 +69,7 @@ static ktg_status fill_weights(ktg_context *context, const ktg_bodies *bodies,
     if (!s->column || !s->weight)
         return KTG_MEMORY;
     for (uint32_t v = 0; v < s->vertex_count; v++) {
-        uint32_t root = ktg_root(bodies->parent, v);
+        uint32_t root = ktg_set_of(bodies->parent, v);
         if (bodies->follows[v] || number[root] == KTG_NONE)
             continue;
         s->column[s->first[v]] = number[root];
@@ -261,7 +262,7 @@ static void number_bodies(const ktg_rows *rows, const ktg_bodies *bodies, const 
         number[v] = KTG_NONE;
     for (uint32_t m = 0; m < rows->count; m++)
         if (!bodies->follows[rows->vertex[m]])
-            number[ktg_root(bodies->parent, rows->vertex[m])] = 0;
+            number[ktg_set_of(bodies->parent, rows->vertex[m])] = 0;
     for (uint32_t v = 0; v < bodies->vertex_count; v++)
         if (number[v] != KTG_NONE)
             number[v] = known[v] ? KTG_NONE : (*count)++;

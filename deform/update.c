@@ -5,6 +5,7 @@
  * rows of what the last one came to. The first step takes the factor that is there; each further
  * one factors anew (the ordering is kept). */
 #include "core/memory.h"
+#include "core/sets.h"
 #include "deform/solver.h"
 
 #include <string.h>
@@ -125,7 +126,7 @@ static ktg_vec3 mean_of_masters(const ktg_follower *f, const ktg_vec3 *values) {
 static ktg_status find_turns(ktg_context *context, ktg_deform *d) {
     const ktg_bodies *b = d->bodies;
     for (uint32_t v = 0; v < b->vertex_count; v++) {
-        uint32_t hold = b->hold[ktg_root(b->parent, v)];
+        uint32_t hold = b->hold[ktg_set_of(b->parent, v)];
         d->logs[v] = hold == KTG_NONE
                          ? (ktg_vec3){0, 0, 0}
                          : ktg_mul3(d->motions[hold].axis, d->motions[hold].angle / 2 / d->steps);
@@ -164,12 +165,12 @@ static void constrain(ktg_deform *d, double part) {
     const ktg_bodies *b = d->bodies;
     const ktg_vec3 *rest = d->frame->rest;
     for (uint32_t v = 0; v < b->vertex_count; v++) {
-        uint32_t root = ktg_root(b->parent, v), hold = b->hold[root];
+        uint32_t root = ktg_set_of(b->parent, v), hold = b->hold[root];
         if (hold != KTG_NONE && (b->pivot[root] == v || !b->held[root]))
             d->now[v] = moved(&d->motions[hold], part, rest[v]);
     }
     for (uint32_t v = 0; v < b->vertex_count; v++) {
-        uint32_t root = ktg_root(b->parent, v), pivot = b->pivot[root];
+        uint32_t root = ktg_set_of(b->parent, v), pivot = b->pivot[root];
         if (v != pivot && !b->follows[v] && (b->hold[root] == KTG_NONE || b->held[root]))
             d->now[v] = place_in_body(d, v, pivot, part);
     }

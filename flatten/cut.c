@@ -3,25 +3,9 @@
 #include "flatten/cut.h"
 
 #include "core/memory.h"
+#include "core/sets.h"
 
 /* ---- sets --------------------------------------------------------------------------------- */
-
-/* The first member of the set that i belongs to; paths are halved on the way. */
-static uint32_t find(uint32_t *parent, uint32_t i) {
-    while (parent[i] != i)
-        i = parent[i] = parent[parent[i]];
-    return i;
-}
-
-/* The smaller number stands for both, so that sets are named by their first member. */
-static void join(uint32_t *parent, uint32_t a, uint32_t b) {
-    a = find(parent, a);
-    b = find(parent, b);
-    if (a < b)
-        parent[b] = a;
-    else
-        parent[a] = b;
-}
 
 static uint32_t *each_alone(ktg_context *context, size_t count) {
     uint32_t *parent = ktg_new(context, count, uint32_t);
@@ -41,9 +25,9 @@ static void join_across(const ktg_adjacency *a, const bool *cut, uint32_t *faces
         uint32_t twin = a->twin[h];
         if (twin == KTG_NONE || twin < h || cut[a->halfedge_edge[h]])
             continue;
-        join(faces, h / 3, twin / 3);
-        join(corners, h, next_corner(twin));
-        join(corners, next_corner(h), twin);
+        ktg_set_join(faces, h / 3, twin / 3);
+        ktg_set_join(corners, h, next_corner(twin));
+        ktg_set_join(corners, next_corner(h), twin);
     }
 }
 
@@ -53,7 +37,8 @@ static void join_across(const ktg_adjacency *a, const bool *cut, uint32_t *faces
 static ktg_status number_panels(ktg_context *context, uint32_t face_count, uint32_t *faces,
                                 ktg_cut_surface *s, uint32_t **sizes) {
     for (uint32_t f = 0; f < face_count; f++)
-        s->face_panel[f] = find(faces, f) == f ? s->count++ : s->face_panel[find(faces, f)];
+        s->face_panel[f] =
+            ktg_set_of(faces, f) == f ? s->count++ : s->face_panel[ktg_set_of(faces, f)];
     s->panels = ktg_new(context, s->count, ktg_cut_panel);
     *sizes = ktg_new(context, s->count, uint32_t);
     if (!s->panels || !*sizes)
@@ -111,7 +96,7 @@ static ktg_status put_corners(ktg_context *context, const ktg_mesh *mesh, uint32
     uint32_t *number = ktg_new(context, 3 * (size_t)mesh->face_count, uint32_t);
     ktg_status status = sorted && number ? sort_corners(context, mesh, sorted) : KTG_MEMORY;
     for (size_t k = 0; status == KTG_OK && k < 3 * (size_t)mesh->face_count; k++)
-        put_corner(mesh, sorted[k], find(corners, sorted[k]), number, s);
+        put_corner(mesh, sorted[k], ktg_set_of(corners, sorted[k]), number, s);
     ktg_free(sorted);
     ktg_free(number);
     return status;

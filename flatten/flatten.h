@@ -67,14 +67,15 @@ typedef struct ktg_flatten_options {
     ktg_edge_weight weight; /* two-step: cotangents (default), raised to 1e-3 of the mean where
                                lower, or 1; the other methods know cotangents only */
     unsigned seams;         /* KTG_SEAMS_ flags; 0 (default): objects, groups, materials and marked
-                               edges, and where these give no seam and the model is no disk, auto */
+                               edges; auto as well where these give no seam and the model is no
+                               disk, or where a panel folds or lies on itself */
     double crease;          /* radians; default 40 degrees */
     unsigned up;            /* which axis of the model is upright: 0 x, 1 y (default), 2 z */
     bool match_seams;       /* both sides of a seam become equally long; default true */
     double strain_limit;    /* of the report's area_beyond_limit and of KTG_SEAMS_AUTO, without
                                fabric; default 0.05 */
     const ktg_fabric *fabric;      /* what the cloth bears along and across the grain, or NULL */
-    const ktg_panel_grain *grains; /* grain_count */
+    const ktg_panel_grain *grains; /* grain_count, borrowed */
     size_t grain_count;
 } ktg_flatten_options;
 
@@ -101,12 +102,12 @@ typedef struct ktg_panel_report {
 } ktg_panel_report;
 
 typedef struct ktg_flatten_report {
-    ktg_panel_report whole; /* all panels: sums, weighted means, the worst method; the percentile
-                               is of all faces together */
-    uint32_t panel_count;   /* the pattern's pieces, in their order */
-    ktg_panel_report *panels;
-    double strain_limit;    /* the option */
-    uint32_t panels_beyond; /* with more than 5 % of their area beyond the limit */
+    ktg_panel_report whole;   /* all panels: sums, weighted means, the worst method; the percentile
+                                 is of all faces together */
+    uint32_t panel_count;     /* the pattern's pieces, in their order */
+    ktg_panel_report *panels; /* panel_count; owned */
+    double strain_limit;      /* the option */
+    uint32_t panels_beyond;   /* with more than 5 % of their area beyond the limit */
     uint32_t seam_edges, opened_edges, auto_edges; /* cuts in all, and those made to open panels to
                                                       disks and by KTG_SEAMS_AUTO */
     double seam_error; /* largest difference of the two sides of an edge that is sewn, by the mean
@@ -129,17 +130,18 @@ KTG_API const char *ktg_flatten_method_name(ktg_flatten_method method);
  * The pattern (mode KTG_CLOTH) has a component for each connected part of the mesh and a piece for
  * each panel, in the model's unit, with face_strain. Pieces are named after the objects, groups or
  * materials they are, a single one `name`; ordered by their first faces. The lower left corner of a
- * piece's box is the origin. A piece is turned so that the model's y points to its +y as well as it
- * can (least squares over the area; of a panel that lies on the ground, the model's -z, as seen
- * from above), or by its grain, and never mirrored. Cloth is not folded inside a panel: every edge
- * there is KTG_EDGE_FLAT, with the surface's true dihedral angle; seams are KTG_EDGE_CUT, forced.
+ * piece's box is the origin. A piece is turned so that the model's upright axis (options->up)
+ * points to its +y as well as it can (least squares over the area; of a panel that lies on the
+ * ground, away from one who looks down), or by its grain, and never mirrored. Cloth is not folded
+ * inside a panel: every edge there is KTG_EDGE_FLAT, with the surface's true dihedral angle; seams
+ * are KTG_EDGE_CUT, forced.
  *
- * KTG_GEOMETRY says what is wrong: a closed surface without seams, a face without area, a panel a
- * hundred thousand times as long as wide, faces that come out flipped or a flat shape that lies on
- * itself: what is printed never folds over. The report is filled in the last two cases as well.
- * KTG_ARGUMENT for unit weights without the two-step method, a grain for a panel that is not there.
- * When the caller wants to finish, iterations end early. KTG_CANCELLED, KTG_MEMORY. *pattern: freed
- * by ktg_pattern_free, NULL on failure. */
+ * KTG_GEOMETRY says what is wrong: a mesh without faces, an edge of three, a face without area, a
+ * panel a hundred thousand times as long as wide, faces that come out flipped or a flat shape that
+ * lies on itself: what is printed never folds over. The report is filled in the last two cases as
+ * well. KTG_ARGUMENT for unit weights without the two-step method, a grain for a panel that is not
+ * there. When the caller wants to finish, iterations end early. KTG_CANCELLED, KTG_MEMORY.
+ * *pattern: freed by ktg_pattern_free, NULL on failure. */
 KTG_API KTG_NODISCARD ktg_status ktg_flatten(ktg_context *context, const ktg_mesh *mesh,
                                              const char *name, const ktg_flatten_options *options,
                                              ktg_pattern **pattern, ktg_flatten_report *report);

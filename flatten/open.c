@@ -4,6 +4,7 @@
  * of shortest ways to the border, closed by one edge each, take those loops, shortest first, that
  * leave the panel in one part. What is open has arcs from border to border for loops. */
 #include "core/memory.h"
+#include "core/sets.h"
 #include "core/vec.h"
 #include "flatten/sheet.h"
 
@@ -55,12 +56,6 @@ static int64_t euler(const ktg_sheet *s) {
     return (int64_t)s->mesh->vertex_count - s->edge_count + s->mesh->face_count;
 }
 
-static uint32_t find(uint32_t *sets, uint32_t i) {
-    while (sets[i] != i)
-        i = sets[i] = sets[sets[i]];
-    return i;
-}
-
 static int longest_first(const void *a, const void *b) {
     const loop *x = a, *y = b;
     if (x->length != y->length)
@@ -90,7 +85,7 @@ static uint32_t find_loops(opening *o) {
     for (uint32_t i = 0; i < count; i++) {
         const ktg_adjacency *a = o->sheet->adjacency;
         uint32_t h = a->edge_halfedges[a->edge_first[o->loops[i].edge]];
-        uint32_t one = find(o->sets, h / 3), other = find(o->sets, a->twin[h] / 3);
+        uint32_t one = ktg_set_of(o->sets, h / 3), other = ktg_set_of(o->sets, a->twin[h] / 3);
         if (one == other)
             o->loops[found++] = o->loops[i];
         o->sets[one] = other;

@@ -9,33 +9,25 @@
  * angles, and with them the linear systems, lose all digits. */
 static const double least_height = 1e-10;
 
-static double largest3(ktg_vec3 v) {
-    return fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
-}
-
-static ktg_vec3 scale_by_power(ktg_vec3 v, int exponent) {
-    return (ktg_vec3){ldexp(v.x, exponent), ldexp(v.y, exponent), ldexp(v.z, exponent)};
-}
-
 /* Scales first, so that the differences cannot overflow, then moves, then scales to size. */
 static void normalise(const ktg_mesh *mesh, ktg_panel *panel) {
     double largest = 0, extent = 0;
     int first, second;
     for (uint32_t v = 0; v < mesh->vertex_count; v++)
-        largest = fmax(largest, largest3(mesh->positions[v]));
+        largest = fmax(largest, ktg_largest3(mesh->positions[v]));
     (void)frexp(largest, &first);
     ktg_vec3 low = {1, 1, 1};
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
-        ktg_vec3 p = panel->positions[v] = scale_by_power(mesh->positions[v], -first);
+        ktg_vec3 p = panel->positions[v] = ktg_ldexp3(mesh->positions[v], -first);
         low = (ktg_vec3){fmin(low.x, p.x), fmin(low.y, p.y), fmin(low.z, p.z)};
     }
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
         panel->positions[v] = ktg_sub3(panel->positions[v], low);
-        extent = fmax(extent, largest3(panel->positions[v]));
+        extent = fmax(extent, ktg_largest3(panel->positions[v]));
     }
     (void)frexp(extent, &second);
     for (uint32_t v = 0; v < mesh->vertex_count; v++)
-        panel->positions[v] = scale_by_power(panel->positions[v], -second);
+        panel->positions[v] = ktg_ldexp3(panel->positions[v], -second);
     panel->exponent = first + second;
 }
 

@@ -1,8 +1,8 @@
 /* mesh/check.c - what a mesh is and what is wrong with it, in linear time. */
 #include "core/memory.h"
+#include "core/sets.h"
 #include "core/vec.h"
 #include "mesh/intersect.h"
-#include "mesh/sets.h"
 #include "mesh/weld.h"
 
 #include <string.h>

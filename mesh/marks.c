@@ -87,9 +87,7 @@ ktg_status ktg_mesh_mark(ktg_context *context, ktg_mesh *mesh, const uint32_t *e
 
 /* ---- leaving out ---------------------------------------------------------------------------- */
 
-/* True when the name is `wanted`, or when that is one of its words: an OBJ face may be in several
- * groups. */
-static bool names_it(const char *name, const char *wanted) {
+bool ktg_name_has(const char *name, const char *wanted) {
     size_t length = strlen(wanted);
     if (strcmp(name, wanted) == 0)
         return true;
@@ -106,7 +104,7 @@ static bool clear_faces(const ktg_names *names, const uint32_t *face_name, uint3
     if (!face_name)
         return false;
     for (uint32_t n = 0; n < names->count; n++)
-        any |= chosen[n] = names_it(names->text[n], wanted);
+        any |= chosen[n] = ktg_name_has(names->text[n], wanted);
     for (uint32_t f = 0; any && f < face_count; f++)
         if (face_name[f] != KTG_NONE && chosen[face_name[f]])
             keep[f] = false;

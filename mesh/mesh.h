@@ -114,6 +114,10 @@ KTG_API void ktg_edge_list_free(ktg_edge_list *list);
 KTG_API KTG_NODISCARD ktg_status ktg_mesh_mark(ktg_context *context, ktg_mesh *mesh,
                                                const uint32_t *edges, uint32_t count);
 
+/* True when the name is `wanted`, or when that is one of its words: an OBJ face may be in several
+ * groups. */
+KTG_API bool ktg_name_has(const char *name, const char *wanted);
+
 /* Leaves out all faces of the groups, objects or materials named, with the vertices and marks that
  * only they had; what they leave open stays open. A name may be one of several words of a group.
  * KTG_ARGUMENT when nothing has a name (the message says what there is), KTG_GEOMETRY when no face

@@ -5,9 +5,9 @@
  * Two edges of different joins may still have both ends in common (a slit one edge long, two sheets
  * that touch along an edge inside): all but the first are then cut in the middle. */
 #include "core/memory.h"
+#include "core/sets.h"
 #include "core/vec.h"
 #include "mesh/repair.h"
-#include "mesh/sets.h"
 
 #include <string.h>
 

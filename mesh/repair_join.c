@@ -5,9 +5,9 @@
  * stays whole beside its rib, and two solids that touch along the edge stay two); those that
  * enclose a wedge of material; the rest by smoothness. The odd one gets a border. */
 #include "core/memory.h"
+#include "core/sets.h"
 #include "core/vec.h"
 #include "mesh/repair.h"
-#include "mesh/sets.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -154,8 +154,8 @@ ktg_status ktg_finish_cloth(ktg_context *context, const ktg_topology *topology,
                        .options = options,
                        .pattern = pattern,
                        .room = ktg_new(context, topology->border_count, double),
-                       .twins = ktg_new(context, count, ktg_mirror),
-                       .selves = ktg_new(context, count, ktg_mirror)};
+                       .twins = ktg_new(context, count, ktg_likeness),
+                       .selves = ktg_new(context, count, ktg_likeness)};
     for (size_t e = 0; e < pattern->edge_count; e++)
         pattern->edges[e].tab_on = -1;
     bool all = cloth.room && cloth.twins && cloth.selves;

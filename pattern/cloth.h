@@ -16,13 +16,13 @@
 
 /* How a piece comes to lie on another one: mirrored across an upright line, or as it is, then
  * moved. */
-typedef struct ktg_mirror {
+typedef struct ktg_likeness {
     uint32_t piece; /* the other one, or the same; KTG_NONE: there is none */
     bool mirrored;
     ktg_vec2 moved;
-} ktg_mirror;
+} ktg_likeness;
 
-static inline ktg_vec2 ktg_mirror_point(const ktg_mirror *mirror, ktg_vec2 p) {
+static inline ktg_vec2 ktg_likeness_point(const ktg_likeness *mirror, ktg_vec2 p) {
     return (ktg_vec2){(mirror->mirrored ? -p.x : p.x) + mirror->moved.x, p.y + mirror->moved.y};
 }
 
@@ -31,10 +31,10 @@ typedef struct ktg_cloth {
     const ktg_topology *topology;
     const ktg_finish_options *options;
     ktg_pattern *pattern;
-    ktg_mirror *twins;  /* piece_count: on the piece it is cut with */
-    double *room;       /* topology->border_count: how much cloth there can be at the start of each
-                           half-edge of the border; infinite where nothing is near */
-    ktg_mirror *selves; /* piece_count: on itself, mirrored, where it is symmetric */
+    ktg_likeness *twins; /* piece_count: on the piece it is cut with */
+    double *room;        /* topology->border_count: how much cloth there can be at the start of each
+                            half-edge of the border; infinite where nothing is near */
+    ktg_likeness *selves; /* piece_count: on itself, mirrored, where it is symmetric */
 } ktg_cloth;
 
 /* ---- edges -------------------------------------------------------------------------------- */

@@ -119,7 +119,7 @@ static bool is_wanted(const ktg_cloth *cloth, uint32_t p) {
 ktg_status ktg_pieces_halve(ktg_context *context, ktg_cloth *cloth) {
     for (uint32_t p = 0; p < cloth->pattern->piece_count; p++) {
         ktg_pattern_piece *piece = &cloth->pattern->pieces[p];
-        const ktg_mirror *self = &cloth->selves[p];
+        const ktg_likeness *self = &cloth->selves[p];
         bool halved = false;
         piece->on_fold = false;
         if (!is_wanted(cloth, p))

@@ -58,17 +58,17 @@ static bool near_border(ktg_grid *grid, const shape *s, ktg_vec2 p, bool hem) {
 
 /* Corner i and the middle of the edge that leaves it. */
 static bool point_lies(ktg_grid *grid, const shape *from, const shape *to, size_t i,
-                       const ktg_mirror *mirror) {
+                       const ktg_likeness *mirror) {
     ktg_vec2 a = from->points[i], b = from->points[(i + 1) % from->count];
     ktg_vec2 middle = ktg_mul2(ktg_add2(a, b), 0.5);
-    return near_border(grid, to, ktg_mirror_point(mirror, a), from->hem[i]) &&
-           near_border(grid, to, ktg_mirror_point(mirror, middle), from->hem[i]);
+    return near_border(grid, to, ktg_likeness_point(mirror, a), from->hem[i]) &&
+           near_border(grid, to, ktg_likeness_point(mirror, middle), from->hem[i]);
 }
 
 /* Whether every corner of `from`, and the middle of every edge, moved by `mirror`, is near the
  * border of `to`, at an edge of the same kind. */
 static ktg_status lies_on(ktg_context *context, const shape *from, const shape *to,
-                          const ktg_mirror *mirror, bool *lies) {
+                          const ktg_likeness *mirror, bool *lies) {
     ktg_grid grid = {0};
     ktg_box *boxes = ktg_new(context, to->count, ktg_box);
     ktg_status status = boxes ? KTG_OK : KTG_MEMORY;
@@ -92,12 +92,12 @@ static bool may_be_same(const shape *a, const shape *b) {
 }
 
 static ktg_status try_mirror(ktg_context *context, const shape *shapes, uint32_t from, uint32_t to,
-                             bool mirrored, ktg_mirror *mirror) {
+                             bool mirrored, ktg_likeness *mirror) {
     const shape *a = &shapes[from], *b = &shapes[to];
-    ktg_mirror way = {.piece = to, .mirrored = mirrored};
+    ktg_likeness way = {.piece = to, .mirrored = mirrored};
     bool there = may_be_same(a, b), back = false;
-    way.moved = ktg_sub2(b->centre, ktg_mirror_point(&way, a->centre));
-    ktg_mirror other = {from, mirrored, way.moved};
+    way.moved = ktg_sub2(b->centre, ktg_likeness_point(&way, a->centre));
+    ktg_likeness other = {from, mirrored, way.moved};
     if (!mirrored)
         other.moved = ktg_mul2(way.moved, -1);
     other.moved.y = -way.moved.y;
@@ -122,7 +122,7 @@ static ktg_status find_twin(ktg_context *context, ktg_cloth *cloth, const shape 
             KTG_TRY(try_mirror(context, shapes, p, q, mirrored == (k == 0), &cloth->twins[p]));
     }
     ktg_pattern_piece *piece = &cloth->pattern->pieces[p];
-    const ktg_mirror *twin = &cloth->twins[p];
+    const ktg_likeness *twin = &cloth->twins[p];
     if (twin->piece == KTG_NONE)
         return KTG_OK;
     ktg_pattern_piece *original = &cloth->pattern->pieces[twin->piece];

@@ -37,10 +37,10 @@ static double apart(ktg_vec2 a, ktg_vec2 b) {
 /* How near two mirrored ends must be to count as the same. */
 #define SAME_MM 2.0
 
-static bool find_mirrored(const ktg_cloth *cloth, const ktg_mirror *mirror,
+static bool find_mirrored(const ktg_cloth *cloth, const ktg_likeness *mirror,
                           const ktg_pattern_seam *seam, uint32_t side, mirrored_seam *found) {
-    ktg_vec2 a = ktg_mirror_point(mirror, end_point(cloth, seam, side, false));
-    ktg_vec2 b = ktg_mirror_point(mirror, end_point(cloth, seam, side, true));
+    ktg_vec2 a = ktg_likeness_point(mirror, end_point(cloth, seam, side, false));
+    ktg_vec2 b = ktg_likeness_point(mirror, end_point(cloth, seam, side, true));
     double length = seam->lengths_mm[side];
     for (uint32_t s = 0; s < cloth->pattern->seam_count; s++) {
         const ktg_pattern_seam *other = &cloth->pattern->seams[s];
@@ -62,10 +62,10 @@ static bool find_mirrored(const ktg_cloth *cloth, const ktg_mirror *mirror,
 /* One that is its own mirror image, end for end, has marks that are, too. */
 static bool is_own_mirror(const ktg_cloth *cloth, const ktg_pattern_seam *seam) {
     for (uint32_t side = 0; side < 2; side++) {
-        const ktg_mirror *self = &cloth->selves[seam->pieces[side]];
+        const ktg_likeness *self = &cloth->selves[seam->pieces[side]];
         if (self->piece == KTG_NONE)
             continue;
-        ktg_vec2 a = ktg_mirror_point(self, end_point(cloth, seam, side, false));
+        ktg_vec2 a = ktg_likeness_point(self, end_point(cloth, seam, side, false));
         ktg_vec2 b = end_point(cloth, seam, side, true);
         if (apart(a, b) < SAME_MM)
             return true;
@@ -227,7 +227,7 @@ static ktg_status copy_marks(ktg_context *context, const ktg_cloth *cloth,
  */
 static bool image_of(const ktg_cloth *cloth, const ktg_pattern_seam *seam, uint32_t k,
                      mirrored_seam *found) {
-    const ktg_mirror *mirror = (k < 2 ? cloth->twins : cloth->selves) + seam->pieces[k % 2];
+    const ktg_likeness *mirror = (k < 2 ? cloth->twins : cloth->selves) + seam->pieces[k % 2];
     return mirror->piece != KTG_NONE && find_mirrored(cloth, mirror, seam, k % 2, found);
 }
 

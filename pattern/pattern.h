@@ -116,9 +116,9 @@ typedef struct ktg_pattern_piece {
 
     uint32_t cut_count,
         cut_mirrored; /* how often to cut it, and how many mirrored on top; 1 and 0 for paper.
-                         Cloth: count 0 marks a piece that is the mirror image of another one,
-                         twin_of, and is cut with it (whose cut_mirrored counts it): sheets of paper
-                         leave it out, a marker shows it */
+                         Cloth: count 0 marks a piece that is the mirror image, or a copy, of
+                         another, twin_of, and is cut with it (whose cut_mirrored or cut_count
+                         counts it): sheets of paper leave it out, a marker shows it */
     uint32_t twin_of; /* index into pieces, where cut_count is 0 */
     bool on_fold;     /* cloth: outline and lines show one half; the other is its mirror image
                          across the line of kind KTG_LINE_FOLD */
@@ -145,7 +145,7 @@ typedef struct ktg_pattern_seam {
     uint32_t number; /* what its label says, from 1; cloth: seams that are mirror images of each
                         other have the same */
     size_t notch_count;
-    ktg_pattern_notch *notches; /* cloth */
+    ktg_pattern_notch *notches; /* notch_count; cloth */
 } ktg_pattern_seam;
 
 typedef struct ktg_pattern_component {
@@ -271,7 +271,7 @@ typedef struct ktg_finish_options {
     double notch_every_mm; /* a seam has about one for each such length */
     bool twins;            /* pieces that are mirror images (or copies) of others within 0.5 mm are
                               cut with them */
-    const char *const *on_fold; /* on_fold_count names of pieces that are to be cut on the fold of
+    const char *const *on_fold; /* on_fold_count names, borrowed, of pieces to be cut on the fold of
                                    the cloth: those that are symmetric are */
     size_t on_fold_count;
 } ktg_finish_options;

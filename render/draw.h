@@ -72,8 +72,10 @@ typedef struct ktg_drawing {
  * sheets share. Free with ktg_drawing_free. */
 KTG_NODISCARD ktg_status ktg_drawing_new(ktg_context *context, const ktg_pattern *pattern,
                                          const ktg_render_options *options, ktg_drawing **drawing);
-/* KTG_ARGUMENT when there is no sheet of that number (from 0). */
-KTG_NODISCARD ktg_status ktg_drawing_check_sheet(const ktg_drawing *drawing, size_t sheet);
+/* The same, to draw one sheet (from 0); KTG_ARGUMENT when there is none of that number. */
+KTG_NODISCARD ktg_status ktg_drawing_of_sheet(ktg_context *context, const ktg_pattern *pattern,
+                                              const ktg_render_options *options, size_t sheet,
+                                              ktg_drawing **drawing);
 void ktg_drawing_free(ktg_drawing **drawing);
 
 /* Fills first_fold and folds: the folds between faces, and those at the feet of tabs. */

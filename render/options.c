@@ -115,11 +115,15 @@ ktg_status ktg_drawing_new(ktg_context *context, const ktg_pattern *pattern,
     return KTG_OK;
 }
 
-ktg_status ktg_drawing_check_sheet(const ktg_drawing *drawing, size_t sheet) {
-    if (sheet < drawing->pattern->sheet_count)
+ktg_status ktg_drawing_of_sheet(ktg_context *context, const ktg_pattern *pattern,
+                                const ktg_render_options *options, size_t sheet,
+                                ktg_drawing **drawing) {
+    KTG_TRY(ktg_drawing_new(context, pattern, options, drawing));
+    if (sheet < pattern->sheet_count)
         return KTG_OK;
-    return ktg_fail(drawing->context, KTG_ARGUMENT, "there is no sheet %zu: the pattern has %zu",
-                    sheet + 1, drawing->pattern->sheet_count);
+    ktg_drawing_free(drawing);
+    return ktg_fail(context, KTG_ARGUMENT, "there is no sheet %zu: the pattern has %zu", sheet + 1,
+                    pattern->sheet_count);
 }
 
 void ktg_drawing_free(ktg_drawing **drawing) {

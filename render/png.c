@@ -1,4 +1,5 @@
 /* render/png.c - one sheet as PNG on white, at any resolution. */
+#include "core/memory.h"
 #include "render/draw.h"
 
 /* Cairo's coordinates end here. */
@@ -51,12 +52,8 @@ ktg_status ktg_render_png(ktg_context *context, const ktg_pattern *pattern, size
                           const ktg_render_options *options, ktg_output *output) {
     ktg_drawing *drawing;
     int width = 0, height = 0;
-    ktg_status status = ktg_drawing_new(context, pattern, options, &drawing);
-    if (status != KTG_OK)
-        return status;
-    status = ktg_drawing_check_sheet(drawing, sheet);
-    if (status == KTG_OK)
-        status = check_pixels(drawing, sheet, &width, &height);
+    KTG_TRY(ktg_drawing_of_sheet(context, pattern, options, sheet, &drawing));
+    ktg_status status = check_pixels(drawing, sheet, &width, &height);
     if (status == KTG_OK)
         status = ktg_png_make(drawing, width, height, draw_sheet, &sheet, output);
     ktg_drawing_free(&drawing);

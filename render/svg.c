@@ -200,12 +200,8 @@ static ktg_status write_svg(const ktg_drawing *drawing, size_t sheet, ktg_output
 ktg_status ktg_render_svg(ktg_context *context, const ktg_pattern *pattern, size_t sheet,
                           const ktg_render_options *options, ktg_output *output) {
     ktg_drawing *drawing;
-    ktg_status status = ktg_drawing_new(context, pattern, options, &drawing);
-    if (status != KTG_OK)
-        return status;
-    status = ktg_drawing_check_sheet(drawing, sheet);
-    if (status == KTG_OK)
-        status = write_svg(drawing, sheet, output);
+    KTG_TRY(ktg_drawing_of_sheet(context, pattern, options, sheet, &drawing));
+    ktg_status status = write_svg(drawing, sheet, output);
     ktg_drawing_free(&drawing);
     return status;
 }

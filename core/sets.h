@@ -1,6 +1,7 @@
-/* mesh/sets.h - disjoint sets of numbers (mesh only). The smallest number stands for its set. */
-#ifndef KTG_MESH_SETS_H
-#define KTG_MESH_SETS_H
+/* core/sets.h - disjoint sets of numbers (shared between folders, not installed). The smallest
+ * number stands for its set. */
+#ifndef KTG_CORE_SETS_H
+#define KTG_CORE_SETS_H
 
 #include <stdint.h>
 
