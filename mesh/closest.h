@@ -1,4 +1,4 @@
-/* mesh/closest.h - the closest point of a surface (mesh only). */
+/* mesh/closest.h - the closest point of a surface (shared with paint, not installed). */
 #ifndef KTG_MESH_CLOSEST_H
 #define KTG_MESH_CLOSEST_H
 

@@ -38,6 +38,8 @@ typedef struct ktg_mesh {
     ktg_names objects, groups, materials;
     char *material_library; /* OBJ's mtllib as written there, or NULL */
 
+    uint8_t *vertex_colours; /* 3 vertex_count: red, green, blue as sRGB bytes, or NULL */
+
     uint32_t uv_count;
     ktg_vec2 *uvs;     /* uv_count texture coordinates, or NULL */
     uint32_t *face_uv; /* 3 face_count indices into uvs (KTG_NONE: none), or NULL */
@@ -159,6 +161,10 @@ KTG_API KTG_NODISCARD ktg_status ktg_mesh_component_names(ktg_context *context,
                                                           uint32_t component_count,
                                                           const char *fallback, ktg_names *names);
 KTG_API void ktg_names_free(ktg_names *names);
+
+/* A name as the readers make it: control characters become "_", bytes that are not UTF-8 are taken
+ * for Latin-1. Free with ktg_free; NULL on KTG_MEMORY. */
+KTG_API char *ktg_mesh_clean_name(ktg_context *context, const char *name);
 
 /* Makes each connected component a group of its own, named as above, in place of the mesh's groups:
  * what is apart in a file can be told apart after ktg_mesh_repair has joined it. On failure the
