@@ -45,8 +45,6 @@ typedef struct ktg_mesh {
     uint8_t *vertex_colours; /* 3 vertex_count: red, green, blue as sRGB bytes, or NULL */
     uint8_t *face_colours;   /* 3 face_count, likewise, or NULL */
 
-    uint8_t *vertex_colours; /* 3 vertex_count: red, green, blue as sRGB bytes, or NULL */
-
     uint32_t uv_count;
     ktg_vec2 *uvs;     /* uv_count texture coordinates, or NULL */
     uint32_t *face_uv; /* 3 face_count indices into uvs (KTG_NONE: none), or NULL */

@@ -33,7 +33,8 @@ static ktg_vec3 mix3(const ktg_vec3 p[3], const double w[3]) {
 }
 
 /* Between two dots of an image a bit of both is seen: at an edge beyond which it shows something
- * else the place moves half a dot (of a level's) inwards, as far as the triangle has room. */
+ * else the place moves half a dot (of a level's) inwards, as far as the triangle has room; near a
+ * corner where there is such an edge, also one of a neighbour, away from all edges. */
 static ktg_vec2 keep_inside(const ktg_look *look, ktg_vec2 at, double half) {
     const ktg_vec2 *p = look->dots;
     double twice = ktg_cross2(ktg_sub2(p[1], p[0]), ktg_sub2(p[2], p[0]));
@@ -43,8 +44,11 @@ static ktg_vec2 keep_inside(const ktg_look *look, ktg_vec2 at, double half) {
     if (!(fabs(twice) > 0))
         return at;
     half = ktg_min(half, fabs(twice) / around); /* the radius of the inscribed circle */
+    bool corner = false;
+    for (size_t k = 0; k < 3; k++)
+        corner = corner || (look->borders & 8u << k && ktg_length2(ktg_sub2(at, p[k])) < 2 * half);
     for (size_t k = 0; k < 3; k++) {
-        if (!(look->borders & 1u << k))
+        if (!corner && !(look->borders & 1u << k))
             continue;
         ktg_vec2 in = ktg_mul2(ktg_perp2(ktg_unit2(ktg_sub2(p[(k + 1) % 3], p[k]))), side);
         double from = ktg_dot2(ktg_sub2(at, p[k]), in);
@@ -143,7 +147,7 @@ static ktg_status find_closest(ktg_context *context, const ktg_paint *paint, ktg
     if (!looks_away(paint, *face, normal) || !(away > 0))
         return KTG_OK;
     ktg_vec3 other;
-    uint32_t other_face;
+    uint32_t other_face = KTG_NONE;
     KTG_TRY(ktg_closest_point(context, paint->closest,
                               ktg_madd3(at, FROM_OUTSIDE * away, ktg_unit3(normal)), &other,
                               &other_face));
@@ -162,14 +166,15 @@ static double density(const ktg_look *look, const ktg_vec3 corners[3]) {
     return area > 0 ? sqrt(dots / area) : 0;
 }
 
-static ktg_status closest_colour(ktg_context *context, const ktg_paint *paint,
-                                 const ktg_paint_dot *dot, double rgb[3]) {
+static ktg_status closest_colour(ktg_context *context, const ktg_paint *paint, ktg_paint_dot *dot,
+                                 double rgb[3]) {
     const ktg_vec3 *own = paint->corners + 3 * (size_t)dot->face;
     double weights[3] = {dot->weights[0], dot->weights[1], dot->weights[2]};
     ktg_vec3 point, corners[3];
-    uint32_t face, level = 0;
+    uint32_t face = dot->near, level = 0;
     bring_in(weights);
     KTG_TRY(find_closest(context, paint, mix3(own, weights), normal_of(own), &point, &face));
+    dot->near = face;
     corners_of(paint->model, face, corners);
     weigh(corners, point, weights);
     const ktg_look *look = &paint->model_looks[face];
@@ -182,7 +187,7 @@ static ktg_status closest_colour(ktg_context *context, const ktg_paint *paint,
 
 /* ---- the dot ------------------------------------------------------------------------------- */
 
-ktg_status ktg_paint_colour(ktg_context *context, const ktg_paint *paint, const ktg_paint_dot *dot,
+ktg_status ktg_paint_colour(ktg_context *context, const ktg_paint *paint, ktg_paint_dot *dot,
                             uint8_t rgb[3]) {
     double mean[3];
     if (dot->face >= paint->face_count)

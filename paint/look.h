@@ -15,7 +15,8 @@ typedef enum ktg_look_kind {
 typedef struct ktg_look {
     uint8_t kind;
     uint8_t borders;   /* bit k: beyond the edge from corner k to the next the image shows something
-                          else */
+                          else; bit 3 + k: at corner k there is such an edge, of this face or another
+                        */
     uint32_t source;   /* of an image */
     uint8_t rgb[3][3]; /* of the corners; of a plain face the first */
     ktg_vec2 dots[3];  /* of the corners, in dots of the image's level 0, y down */
@@ -35,7 +36,8 @@ typedef struct ktg_closest ktg_closest;
 
 struct ktg_paint {
     ktg_mesh *model;
-    ktg_source *sources; /* one for each material of the model, and one for faces without */
+    uint32_t source_count;
+    ktg_source *sources; /* one for each material of the model, and a last one for faces without */
     size_t image_count, image_capacity;
     ktg_image **images;
     char **image_paths; /* image_count: absolute */
@@ -47,6 +49,11 @@ struct ktg_paint {
     ktg_look *looks;
     ktg_vec3 *corners; /* 3 face_count */
 };
+
+/* Colours of vertices, or faces. */
+static inline bool ktg_paint_has_own_colours(const ktg_mesh *mesh) {
+    return mesh->vertex_colours || mesh->face_colours;
+}
 
 /* Fills sources and images from the model's MTL files. */
 KTG_NODISCARD ktg_status ktg_paint_read_sources(ktg_context *context, ktg_paint *paint,

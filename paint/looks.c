@@ -9,9 +9,11 @@
 /* Texture coordinates further out than this are nobody's wish. */
 #define MOST_UV 1e6
 
-static uint32_t source_of(const ktg_mesh *mesh, uint32_t face) {
-    uint32_t material = mesh->face_material ? mesh->face_material[face] : KTG_NONE;
-    return material < mesh->materials.count ? material : mesh->materials.count;
+/* The one image of a PLY is that of all faces. */
+static uint32_t source_of(const ktg_paint *paint, const ktg_mesh *mesh, uint32_t face) {
+    uint32_t none = paint->source_count - 1, of_all = paint->model->face_material ? none : 0;
+    uint32_t material = mesh->face_material ? mesh->face_material[face] : of_all;
+    return material < none ? material : none;
 }
 
 /* The corners' places in the image; false where the face has none. */
@@ -31,23 +33,32 @@ static bool place_corners(const ktg_mesh *mesh, uint32_t face, const ktg_source 
     return true;
 }
 
-static void find_look(const ktg_paint *paint, const ktg_mesh *mesh, uint32_t face, bool whole,
-                      ktg_look *look) {
-    const ktg_source *source = &paint->sources[source_of(mesh, face)];
-    look->source = source_of(mesh, face);
-    memcpy(look->rgb[0], source->rgb, 3);
-    if (paint->model->vertex_colours) {
-        look->kind = whole ? KTG_LOOK_CORNERS : KTG_LOOK_CLOSEST;
-        for (size_t k = 0; whole && k < 3; k++)
+/* Colours of faces and vertices are finer on the model than on what it was simplified to. */
+static void take_colours(const ktg_mesh *mesh, uint32_t face, bool whole, ktg_look *look) {
+    if (!whole) {
+        look->kind = KTG_LOOK_CLOSEST;
+    } else if (mesh->face_colours) {
+        memcpy(look->rgb[0], mesh->face_colours + 3 * (size_t)face, 3);
+    } else {
+        look->kind = KTG_LOOK_CORNERS;
+        for (size_t k = 0; k < 3; k++)
             memcpy(look->rgb[k],
                    mesh->vertex_colours + 3 * (size_t)mesh->faces[3 * (size_t)face + k], 3);
-    } else if (!source->image) {
-        look->kind = KTG_LOOK_PLAIN;
-    } else if (place_corners(mesh, face, source, look)) {
-        look->kind = KTG_LOOK_IMAGE;
-    } else {
-        look->kind = whole ? KTG_LOOK_PLAIN : KTG_LOOK_CLOSEST;
     }
+}
+
+static void find_look(const ktg_paint *paint, const ktg_mesh *mesh, uint32_t face, bool whole,
+                      ktg_look *look) {
+    look->source = source_of(paint, mesh, face);
+    const ktg_source *source = &paint->sources[look->source];
+    memcpy(look->rgb[0], source->rgb, 3);
+    look->kind = KTG_LOOK_PLAIN;
+    if (source->image && place_corners(mesh, face, source, look))
+        look->kind = KTG_LOOK_IMAGE;
+    else if (source->image)
+        look->kind = whole ? KTG_LOOK_PLAIN : KTG_LOOK_CLOSEST;
+    else if (ktg_paint_has_own_colours(paint->model))
+        take_colours(mesh, face, whole, look);
 }
 
 static bool same_dot(ktg_vec2 a, ktg_vec2 b) {
@@ -64,13 +75,24 @@ static bool goes_on(const ktg_look *looks, uint32_t h, uint32_t twin) {
 
 static ktg_status find_borders(ktg_context *context, const ktg_mesh *mesh, ktg_look *looks) {
     ktg_adjacency *adjacency;
-    KTG_TRY(ktg_adjacency_new(context, mesh, &adjacency));
+    bool *at_border = ktg_new(context, mesh->vertex_count, bool);
+    ktg_status status = at_border ? ktg_adjacency_new(context, mesh, &adjacency) : KTG_MEMORY;
+    if (status != KTG_OK) {
+        ktg_free(at_border);
+        return status;
+    }
     for (uint32_t h = 0; h < adjacency->halfedge_count; h++) {
         uint32_t twin = adjacency->twin[h];
-        if (looks[h / 3].kind == KTG_LOOK_IMAGE && (twin == KTG_NONE || !goes_on(looks, h, twin)))
-            looks[h / 3].borders |= (uint8_t)(1u << h % 3);
+        if (looks[h / 3].kind != KTG_LOOK_IMAGE || (twin != KTG_NONE && goes_on(looks, h, twin)))
+            continue;
+        looks[h / 3].borders |= (uint8_t)(1u << h % 3);
+        at_border[mesh->faces[h]] = at_border[mesh->faces[h - h % 3 + (h % 3 + 1) % 3]] = true;
     }
+    for (uint32_t h = 0; h < adjacency->halfedge_count; h++)
+        if (at_border[mesh->faces[h]])
+            looks[h / 3].borders |= (uint8_t)(8u << h % 3);
     ktg_adjacency_free(&adjacency);
+    ktg_free(at_border);
     return KTG_OK;
 }
 

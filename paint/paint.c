@@ -26,18 +26,18 @@ static uint32_t count_colours(const uint8_t *rgb, size_t count, uint32_t most) {
     return found;
 }
 
-/* The plain colours that faces have; faces without any are not counted. */
+/* The plain colours that faces have, white among them where some have none. */
 static ktg_status count_plain(ktg_context *context, const ktg_paint *paint, uint32_t *colours) {
     const ktg_mesh *model = paint->model;
+    uint32_t none = paint->source_count - 1;
     size_t count = 0;
-    uint8_t *rgb = ktg_alloc(context, (size_t)model->materials.count + 1, 3);
-    bool *used = ktg_new(context, (size_t)model->materials.count + 1, bool);
-    for (uint32_t f = 0; rgb && used && model->face_material && f < model->face_count; f++) {
-        uint32_t material = model->face_material[f];
-        bool none = material >= model->materials.count || !paint->sources[material].is_plain;
-        used[none ? model->materials.count : material] = true;
+    uint8_t *rgb = ktg_alloc(context, paint->source_count, 3);
+    bool *used = ktg_new(context, paint->source_count, bool);
+    for (uint32_t f = 0; rgb && used && f < model->face_count; f++) {
+        uint32_t material = model->face_material ? model->face_material[f] : none;
+        used[material < none && paint->sources[material].is_plain ? material : none] = true;
     }
-    for (uint32_t k = 0; rgb && used && k <= model->materials.count; k++)
+    for (uint32_t k = 0; rgb && used && k <= none; k++)
         if (used[k])
             memcpy(rgb + 3 * count++, paint->sources[k].rgb, 3);
     *colours = rgb && used ? count_colours(rgb, count, UINT32_MAX) : 0;
@@ -48,7 +48,7 @@ static ktg_status count_plain(ktg_context *context, const ktg_paint *paint, uint
 }
 
 static bool has_any_plain(const ktg_paint *paint) {
-    for (uint32_t k = 0; k < paint->model->materials.count; k++)
+    for (uint32_t k = 0; k < paint->source_count; k++)
         if (paint->sources[k].is_plain)
             return true;
     return false;
@@ -58,13 +58,16 @@ static bool has_any_plain(const ktg_paint *paint) {
 static ktg_status is_worth(ktg_context *context, const ktg_paint *paint, bool plain,
                            ktg_paint_report *report, bool *worth) {
     const ktg_mesh *model = paint->model;
+    bool own = ktg_paint_has_own_colours(model), many;
     KTG_TRY(count_plain(context, paint, &report->colours));
-    report->vertex_colours = model->vertex_colours != NULL;
-    bool many = model->vertex_colours
-                    ? count_colours(model->vertex_colours, model->vertex_count, 2) > 1
-                    : report->colours > 1;
-    *worth = paint->image_count > 0 || many ||
-             (plain && (model->vertex_colours || has_any_plain(paint)));
+    report->own_colours = own;
+    if (own)
+        many = model->face_colours
+                   ? count_colours(model->face_colours, model->face_count, 2) > 1
+                   : count_colours(model->vertex_colours, model->vertex_count, 2) > 1;
+    else
+        many = report->colours > 1;
+    *worth = paint->image_count > 0 || many || (plain && (own || has_any_plain(paint)));
     return KTG_OK;
 }
 
@@ -85,7 +88,8 @@ ktg_status ktg_paint_new(ktg_context *context, const ktg_mesh *mesh, const char 
     ktg_paint_report own = {0};
     bool worth = false;
     *paint = NULL;
-    if (!mesh->vertex_colours && (!mesh->face_material || !mesh->material_library))
+    bool materials = mesh->face_material && mesh->material_library;
+    if (!ktg_paint_has_own_colours(mesh) && !materials && !mesh->texture_file)
         return KTG_OK;
     ktg_paint *made = ktg_new(context, 1, ktg_paint);
     if (!made)
@@ -165,7 +169,7 @@ static ktg_status prepare_closest(ktg_context *context, ktg_paint *paint) {
 /* The mean size of an image's dots on the faces that show it. */
 static void find_crisp(ktg_paint *paint, const ktg_look *looks, const ktg_vec3 *corners,
                        const uint32_t *faces, uint32_t count, double mm_per_unit) {
-    for (uint32_t k = 0; k <= paint->model->materials.count; k++) {
+    for (uint32_t k = 0; k < paint->source_count; k++) {
         ktg_source *source = &paint->sources[k];
         double dots = 0, area = 0;
         if (!source->image || source->image->width > CRISP_WIDTH ||
@@ -190,8 +194,9 @@ static ktg_status find_looks(ktg_context *context, ktg_paint *paint, const ktg_m
                              uint32_t *sampled) {
     bool whole = is_the_model(paint->model, surface);
     *sampled = 0;
-    if (says_materials(paint->model, surface)) {
-        KTG_TRY(ktg_paint_find_looks(context, paint, surface, whole, &paint->looks));
+    if (whole || says_materials(paint->model, surface)) {
+        KTG_TRY(ktg_paint_find_looks(context, paint, whole ? paint->model : surface, whole,
+                                     &paint->looks));
     } else {
         paint->looks = ktg_new(context, surface->face_count, ktg_look);
         for (uint32_t f = 0; paint->looks && f < surface->face_count; f++)
@@ -231,5 +236,5 @@ uint32_t ktg_paint_face_count(const ktg_paint *paint) {
 }
 
 bool ktg_paint_is_picture(const ktg_paint *paint) {
-    return paint->image_count > 0 || paint->model->vertex_colours;
+    return paint->image_count > 0 || paint->model->vertex_colours != NULL;
 }

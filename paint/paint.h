@@ -27,9 +27,9 @@ typedef struct ktg_paint_report {
     uint32_t images;         /* that were read */
     uint32_t images_missing; /* not there, refused, damaged or too large: each is a warning */
     uint32_t colours;        /* different plain colours of faces */
-    bool vertex_colours;
-    uint32_t faces_sampled; /* by ktg_paint_lay: faces whose colours are those of the closest
-                               points of the model */
+    bool own_colours;        /* vertices, or faces, have colours of their own */
+    uint32_t faces_sampled;  /* by ktg_paint_lay: faces whose colours are those of the closest
+                                points of the model */
 } ktg_paint_report;
 
 /* The look of `mesh`, which is copied: colours of vertices (and of faces), or the materials of its
@@ -60,11 +60,13 @@ KTG_API KTG_NODISCARD ktg_status ktg_paint_lay(ktg_context *context, ktg_paint *
 typedef struct ktg_paint_dot {
     uint32_t face; /* of the surface */
     double weights[3], right[3], down[3];
+    uint32_t near; /* a face of the model that may be near, as the last call left it, or KTG_NONE:
+                      it only saves time */
 } ktg_paint_dot;
 
 /* The colour of a dot, as sRGB bytes: a mean over what lies under it. */
 KTG_API KTG_NODISCARD ktg_status ktg_paint_colour(ktg_context *context, const ktg_paint *paint,
-                                                  const ktg_paint_dot *dot, uint8_t rgb[3]);
+                                                  ktg_paint_dot *dot, uint8_t rgb[3]);
 
 /* The number of faces it is laid on; 0 before ktg_paint_lay. */
 KTG_API uint32_t ktg_paint_face_count(const ktg_paint *paint);

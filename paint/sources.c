@@ -130,24 +130,22 @@ static ktg_status share_image(reading *r, char *path, const ktg_image **image) {
     return KTG_OK;
 }
 
-/* A damaged image is no reason to print nothing. */
-static ktg_status take_image(reading *r, size_t material, ktg_source *source) {
-    const ktg_material *m = &r->materials.items[material];
+/* The image `name` that the file `from` speaks of. A damaged one is no reason to print nothing. */
+static ktg_status take_image(reading *r, const char *from, const char *name, ktg_source *source) {
     char *path;
     const char *why;
-    KTG_TRY(ktg_place_find(r->context, &r->place, r->libraries[r->first[material]], m->image, &path,
-                           &why));
+    KTG_TRY(ktg_place_find(r->context, &r->place, from, name, &path, &why));
     ktg_status status = path ? share_image(r, path, &source->image) : KTG_FILE;
     if (status == KTG_OK || status == KTG_MEMORY || status == KTG_CANCELLED)
         return status;
     r->report->images_missing++;
     const char *instead = source->is_plain ? "in the material's colour" : "white";
     if (path)
-        ktg_log(r->context, KTG_LOG_WARNING, "%s; the faces of %s are printed %s",
-                ktg_context_message(r->context), m->name, instead);
+        ktg_log(r->context, KTG_LOG_WARNING, "%s; its faces are printed %s",
+                ktg_context_message(r->context), instead);
     else
-        ktg_log(r->context, KTG_LOG_WARNING, "%s: the image %s %s; the faces of %s are printed %s",
-                r->libraries[r->first[material]], m->image, why, m->name, instead);
+        ktg_log(r->context, KTG_LOG_WARNING, "%s: the image %s %s; its faces are printed %s", from,
+                name, why, instead);
     return KTG_OK;
 }
 
@@ -159,6 +157,25 @@ static size_t find_material(const ktg_materials *materials, const char *name) {
         if (strcmp(materials->items[i - 1].name, name) == 0)
             return i - 1;
     return SIZE_MAX;
+}
+
+/* A PLY names images; where there are several, its materials are called like them. */
+static bool names_images(const ktg_mesh *model) {
+    return model->texture_file && !model->material_library;
+}
+
+static uint32_t count_sources(const ktg_mesh *model) {
+    return names_images(model) && model->materials.count == 0 ? 1 : model->materials.count;
+}
+
+static ktg_status fill_from_names(reading *r) {
+    const ktg_mesh *model = r->paint->model;
+    for (uint32_t k = 0; model->uvs && k + 1 < r->paint->source_count; k++)
+        KTG_TRY(
+            take_image(r, r->place.model,
+                       model->materials.count > 0 ? model->materials.text[k] : model->texture_file,
+                       &r->paint->sources[k]));
+    return KTG_OK;
 }
 
 /* Only materials that faces have are read. */
@@ -174,17 +191,21 @@ static ktg_status fill_source(reading *r, uint32_t number) {
     source->wrap = m->wrap;
     source->scale = m->scale;
     source->offset = m->offset;
-    return m->image && r->paint->model->uvs ? take_image(r, material, source) : KTG_OK;
+    return m->image && r->paint->model->uvs
+               ? take_image(r, r->libraries[r->first[material]], m->image, source)
+               : KTG_OK;
 }
 
 static ktg_status fill_sources(reading *r, const bool *used) {
     const ktg_mesh *model = r->paint->model;
-    if (!model->material_library || !model->face_material)
-        return KTG_OK;
-    KTG_TRY(for_each_line(r, model->material_library, read_line));
-    for (uint32_t k = 0; k < model->materials.count; k++)
-        if (used[k])
-            KTG_TRY(fill_source(r, k));
+    if (names_images(model)) {
+        KTG_TRY(fill_from_names(r));
+    } else if (model->material_library && model->face_material) {
+        KTG_TRY(for_each_line(r, model->material_library, read_line));
+        for (uint32_t k = 0; k < model->materials.count; k++)
+            if (used[k])
+                KTG_TRY(fill_source(r, k));
+    }
     r->report->images = (uint32_t)r->paint->image_count;
     return KTG_OK;
 }
@@ -197,7 +218,8 @@ static void mark_used(const ktg_mesh *model, bool *used) {
 
 ktg_status ktg_paint_read_sources(ktg_context *context, ktg_paint *paint, const char *model,
                                   bool anywhere, ktg_paint_report *report) {
-    size_t count = (size_t)paint->model->materials.count + 1;
+    size_t count = (size_t)count_sources(paint->model) + 1;
+    paint->source_count = (uint32_t)count;
     bool *used = ktg_new(context, count, bool);
     paint->sources = ktg_new(context, count, ktg_source);
     reading r = {.context = context, .paint = paint, .place = {model, anywhere}, .report = report};

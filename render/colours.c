@@ -72,8 +72,9 @@ static void weights_at(const ktg_laid_face *laid, ktg_vec2 at, double weights[3]
 }
 
 static ktg_status colour_dot(ktg_context *context, const ktg_paint *paint,
-                             const ktg_laid_face *laid, ktg_vec2 at, uint32_t *dot) {
-    ktg_paint_dot asked = {.face = laid->face};
+                             const ktg_laid_face *laid, ktg_vec2 at, uint32_t *near,
+                             uint32_t *dot) {
+    ktg_paint_dot asked = {.face = laid->face, .near = *near};
     uint8_t rgb[3];
     memcpy(asked.right, laid->right, sizeof asked.right);
     memcpy(asked.down, laid->down, sizeof asked.down);
@@ -81,6 +82,7 @@ static ktg_status colour_dot(ktg_context *context, const ktg_paint *paint,
     if (asked.weights[0] < 0 || asked.weights[1] < 0 || asked.weights[2] < 0)
         weights_at(laid, nearest_in(laid->corners, at), asked.weights);
     KTG_TRY(ktg_paint_colour(context, paint, &asked, rgb));
+    *near = asked.near;
     *dot = (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2];
     return KTG_OK;
 }
@@ -89,6 +91,7 @@ static ktg_status colour_band(ktg_context *context, uint32_t band, void *user) {
     const ktg_colour_plan *plan = user;
     const ktg_colours *colours = plan->colours;
     uint32_t end = band * BAND + BAND < colours->height ? band * BAND + BAND : colours->height;
+    uint32_t near = KTG_NONE;
     KTG_TRY(ktg_check_cancel(context));
     for (uint32_t y = band * BAND; y < end; y++)
         for (uint32_t x = 0; x < colours->width; x++) {
@@ -96,7 +99,7 @@ static ktg_status colour_band(ktg_context *context, uint32_t band, void *user) {
             if (plan->owners[at] != KTG_NONE)
                 KTG_TRY(colour_dot(context, plan->drawing->options.paint,
                                    &plan->faces[plan->owners[at]], (ktg_vec2){x + 0.5, y + 0.5},
-                                   &colours->dots[at]));
+                                   &near, &colours->dots[at]));
         }
     return KTG_OK;
 }

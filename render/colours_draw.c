@@ -37,7 +37,8 @@ static ktg_status attach_jpeg(const ktg_drawing *drawing, const ktg_colours *col
     return ktg_fail(drawing->context, KTG_MEMORY, "not enough memory for the colours of a sheet");
 }
 
-cairo_surface_t *ktg_colours_surface(const ktg_colours *colours) {
+ktg_status ktg_colours_surface(const ktg_drawing *drawing, const ktg_colours *colours, bool packed,
+                               cairo_surface_t **made) {
     cairo_surface_t *surface =
         cairo_image_surface_create(CAIRO_FORMAT_RGB24, (int)colours->width, (int)colours->height);
     unsigned char *data = cairo_image_surface_get_data(surface);
@@ -47,15 +48,16 @@ cairo_surface_t *ktg_colours_surface(const ktg_colours *colours) {
         memcpy(data + y * stride, colours->dots + (size_t)y * colours->width,
                colours->width * sizeof *colours->dots);
     cairo_surface_mark_dirty(surface);
-    return surface;
+    *made = surface;
+    return packed && ktg_paint_is_picture(drawing->options.paint)
+               ? attach_jpeg(drawing, colours, surface)
+               : KTG_OK;
 }
 
 static ktg_status draw(const ktg_page *page, bool is_image) {
     const ktg_colours *colours = page->colours;
-    cairo_surface_t *surface = ktg_colours_surface(colours);
-    ktg_status status = KTG_OK;
-    if (!is_image && ktg_paint_is_picture(page->drawing->options.paint))
-        status = attach_jpeg(page->drawing, colours, surface);
+    cairo_surface_t *surface;
+    ktg_status status = ktg_colours_surface(page->drawing, colours, !is_image, &surface);
     if (status == KTG_OK) {
         cairo_save(page->cairo);
         cairo_translate(page->cairo, colours->corner.x, colours->corner.y);

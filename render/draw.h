@@ -134,8 +134,10 @@ bool ktg_ground_is_dark(const double rgb[3]);
 /* On colours, a fold is drawn with what is seen there: black or white, the ground showing through.
  */
 void ktg_ground_set_fold_ink(const ktg_page *page, ktg_vec2 from, ktg_vec2 to);
-/* The colours as a surface of cairo's. */
-cairo_surface_t *ktg_colours_surface(const ktg_colours *colours);
+/* The colours as a surface of cairo's; `packed`: with a JPEG of them, where they are a picture.
+ * Free with cairo_surface_destroy. */
+KTG_NODISCARD ktg_status ktg_colours_surface(const ktg_drawing *drawing, const ktg_colours *colours,
+                                             bool packed, cairo_surface_t **surface);
 
 /* ---- lines.c, joints.c, labels.c ---------------------------------------------------------- */
 
