@@ -17,13 +17,18 @@ static bool differ(const uint32_t *numbers, uint32_t f, uint32_t g) {
     return numbers && numbers[f] != numbers[g];
 }
 
+static bool differ_in_colour(const uint8_t *colours, size_t f, size_t g) {
+    return colours && memcmp(colours + 3 * f, colours + 3 * g, 3) != 0;
+}
+
 /* The weight of the plane that stands on a half-edge, 0 for none. */
 static double standing_weight(const ktg_mesh *mesh, const ktg_adjacency *adjacency, uint32_t h) {
     uint32_t twin = adjacency->twin[h], f = h / 3;
     if (twin == KTG_NONE)
         return border_weight;
     bool seam = differ(mesh->face_object, f, twin / 3) || differ(mesh->face_group, f, twin / 3) ||
-                differ(mesh->face_material, f, twin / 3);
+                differ(mesh->face_material, f, twin / 3) ||
+                differ_in_colour(mesh->face_colours, f, twin / 3);
     return seam ? seam_weight : 0;
 }
 
@@ -101,6 +106,7 @@ static ktg_status prepare(ktg_simplify *s, const ktg_mesh *mesh) {
     for (size_t i = 0; i < 2 * (size_t)mesh->marked_count; i++)
         s->locked[mesh->marked_edges[i]] = true;
     memset(s->alive, true, mesh->face_count);
+    KTG_TRY(ktg_simplify_take_colours(s, mesh));
     set_frame(s);
     KTG_TRY(ktg_adjacency_new(s->context, mesh, &adjacency));
     set_quadrics(s, mesh, adjacency);
@@ -129,6 +135,7 @@ static ktg_status write_back(const ktg_simplify *s, ktg_mesh *mesh) {
     for (uint32_t v = 0; v < s->vertex_count; v++)
         if (renamed[v]) {
             mesh->positions[vertices] = s->positions[v];
+            ktg_simplify_give_colour(s, v, mesh, vertices);
             renamed[v] = vertices++;
         }
     for (uint32_t f = 0; f < s->face_count; f++) {
@@ -139,6 +146,8 @@ static ktg_status write_back(const ktg_simplify *s, ktg_mesh *mesh) {
         keep_numbers(mesh->face_object, faces, f);
         keep_numbers(mesh->face_group, faces, f);
         keep_numbers(mesh->face_material, faces, f);
+        if (mesh->face_colours)
+            memmove(mesh->face_colours + 3 * (size_t)faces, mesh->face_colours + 3 * (size_t)f, 3);
         faces++;
     }
     for (size_t i = 0; i < 2 * (size_t)mesh->marked_count; i++)
@@ -191,6 +200,7 @@ static void free_state(ktg_simplify *s) {
     ktg_free(s->stamps);
     ktg_free(s->border);
     ktg_free(s->locked);
+    ktg_free(s->colours);
     ktg_free(s->heap);
     ktg_free(s->changed);
     ktg_free(s->found);

@@ -61,6 +61,7 @@ typedef struct ktg_simplify {
     uint32_t *stamps; /* vertex_count: goes up when a vertex changes */
     bool *border;     /* vertex_count; a vertex that stays keeps its state */
     bool *locked;     /* vertex_count: of marked edges; never moves or goes, nor do those edges */
+    float *colours;   /* 3 vertex_count, 0 to 255, or NULL */
     ktg_halfedges *halfedges;
     ktg_boxes *boxes;     /* of the living faces */
     uint32_t boxed_faces; /* how many there were when the tree was built */
@@ -80,6 +81,12 @@ typedef struct ktg_simplify {
  * none turned, none thin that was not, no new pair of faces that intersect. */
 KTG_NODISCARD ktg_status ktg_simplify_allowed(ktg_simplify *s, const ktg_candidate *candidate,
                                               ktg_vec3 position, bool *allowed);
+
+/* simplify_colours.c: colours of vertices, where there are any: taken at the beginning, blended in
+ * a collapse (before the vertex moves), and given back, `vertex` becoming vertex `at`. */
+KTG_NODISCARD ktg_status ktg_simplify_take_colours(ktg_simplify *s, const ktg_mesh *mesh);
+void ktg_simplify_blend_colours(ktg_simplify *s, const ktg_candidate *candidate, ktg_vec3 position);
+void ktg_simplify_give_colour(const ktg_simplify *s, uint32_t vertex, ktg_mesh *mesh, uint32_t at);
 
 /* simplify_collapse.c: collapses until `target_faces` are left or nothing more is allowed. */
 KTG_NODISCARD ktg_status ktg_simplify_run(ktg_simplify *s, uint32_t target_faces);

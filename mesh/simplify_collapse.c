@@ -125,6 +125,7 @@ static ktg_status collapse(ktg_simplify *s, const ktg_candidate *c, ktg_vec3 pos
     const uint32_t *around;
     s->quadrics[c->to] = ktg_quadric_sum(&s->quadrics[c->to], &s->quadrics[c->from]);
     ktg_halfedges_collapse(s->halfedges, c->from, c->to);
+    ktg_simplify_blend_colours(s, c, position);
     s->positions[c->to] = position;
     s->stamps[c->from]++;
     s->stamps[c->to]++;
