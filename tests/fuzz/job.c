@@ -6,8 +6,8 @@
 #include <stdio.h>
 #include <unistd.h>
 
-/* Of searching and nesting, which counts its work: with sanitizers a second becomes a minute. */
-#define MOST_SECONDS 2
+/* Of searching and nesting, which count their work: with sanitizers a second becomes a minute. */
+#define MOST_SECONDS 0.3
 
 static void pick_sheet(fuzz_bytes *bytes, ktg_layout_options *layout) {
     static const char *const sheets[] = {"a4", "a5", "60x40", "fit", "letter", "a0", "30x500"};
@@ -18,6 +18,7 @@ static void pick_sheet(fuzz_bytes *bytes, ktg_layout_options *layout) {
     layout->gap_mm = FUZZ_PICK(bytes, double, 2, 0, 10);
     layout->roll = fuzz_below(bytes, 8) == 7;
     layout->effort = KTG_EFFORT_QUICK;
+    layout->enough_sheets = FUZZ_PICK(bytes, uint32_t, 100, 100, 100, 0);
 }
 
 static void pick_drawing(fuzz_bytes *bytes, ktg_render_options *render) {
@@ -43,6 +44,8 @@ void fuzz_options(fuzz_bytes *bytes, ktg_pipeline_options *options) {
     options->unfold.seconds = MOST_SECONDS;
     pick_sheet(bytes, &options->layout);
     pick_drawing(bytes, &options->render);
+    options->colours =
+        FUZZ_PICK(bytes, ktg_colour_rule, KTG_COLOURS_AUTO, KTG_COLOURS_OFF, KTG_COLOURS_ON);
 }
 
 static ktg_mesh *read_repaired(ktg_context *context, const char *path) {
