@@ -5,8 +5,8 @@
 
 Models are those named, else samples/; each also as a small one in every format. One to three damages a time: cut
 short, bits, lines and numbers changed, corners and faces moved about, points rounded so that they coincide. Then the
-program is to tell about it (info), simplify, unfold and flatten it, each in 10 seconds of processor time; it may refuse,
-with status 1 and a sentence, and then writes no file. What it accepts is proved, by `katagami verify` and, a net,
+program is to tell about it (info), simplify, unfold and flatten it, each in 10 seconds of processor time (--limit; a busy
+machine gives less for a second); it may refuse, with status 1 and a sentence, and then writes no file. What it accepts is proved, by `katagami verify` and, a net,
 by tests/cli/check_net.py, which shares no code with it. What goes wrong is told, and kept in FOLDER. Exit status 0 or 1.
 
 --count and --seed name the same models on every machine."""
@@ -27,12 +27,11 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "cli"))
 import check_net  # noqa: E402
 
-LIMIT_S = 10         # of processor time
-WALL_S = 200         # of a busy machine
 MOST_BYTES = 1 << 20
+MOST_WHOLE_BYTES = 20000  # of models that are taken as they are
 SMALL_FACES = 90
 COMMANDS = {"info": [], "simplify": ["--faces", "40", "-o"],
-            "unfold": ["--effort", "quick", "-o"], "flatten": ["--unit", "cm", "-o"]}
+            "unfold": ["--effort", "quick", "-o"], "flatten": ["--unit", "cm", "--effort", "quick", "-o"]}
 ODD_NUMBERS = ["nan", "inf", "-inf", "1e400", "1e308", "-1e300", "1e-320", "0", "-0", "1e30", "999999999999", "4294967296",
                "2147483648", "-1", "1e-9", "0x10", "1,5", "", "1e", "--2", "1.5.2"]
 NUMBER = re.compile(rb"[-+]?\d+\.?\d*(?:[eE][-+]?\d+)?")
@@ -174,24 +173,31 @@ def damage(data, ending, r):
 
 # ---- the program ---------------------------------------------------------------------------------
 
-def run(words, folder):
-    """Status and words of a run; None for one that takes too long."""
-    def limit():
-        resource.setrlimit(resource.RLIMIT_CPU, (LIMIT_S, LIMIT_S + 1))
+class Program:
+    def __init__(self, path, folder, limit_s):
+        self.path, self.folder, self.limit_s = str(pathlib.Path(path).resolve()), folder, limit_s
+
+    def limit(self):
+        resource.setrlimit(resource.RLIMIT_CPU, (self.limit_s, self.limit_s + 1))
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-    try:
-        done = subprocess.run(words, cwd=folder, preexec_fn=limit, timeout=WALL_S, stdin=subprocess.DEVNULL,
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-    except subprocess.TimeoutExpired:
-        return None, "takes longer than %d s" % WALL_S
-    if done.returncode in (-24, -9):
-        return None, "takes longer than %d s" % LIMIT_S
-    return done.returncode, (done.stdout + done.stderr).decode(errors="replace")
+
+    def run(self, *words):
+        """Status and words of a run; None for one that takes too long. A program that only waits may do so for
+        twenty times as long."""
+        try:
+            done = subprocess.run([self.path, *words], cwd=self.folder, preexec_fn=self.limit,
+                                  timeout=20 * self.limit_s, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                  stderr=subprocess.PIPE)
+        except subprocess.TimeoutExpired:
+            return None, "waits for %d s" % (20 * self.limit_s)
+        if done.returncode in (-24, -9):
+            return None, "takes longer than %d s" % self.limit_s
+        return done.returncode, (done.stdout + done.stderr).decode(errors="replace")
 
 
-def proof(program, folder, pattern, model):
+def proof(program, pattern, model):
     """What is wrong with a pattern; None where nothing is."""
-    status, words = run([program, "verify", pattern.name, model.name], folder)
+    status, words = program.run("verify", pattern.name, model.name)
     if status != 0:
         return "verify: " + words
     with open(pattern, encoding="utf-8") as file:
@@ -202,28 +208,28 @@ def proof(program, folder, pattern, model):
     return "check_net.py: " + "; ".join(problems[:3]) if problems else None
 
 
-def fault(program, folder, model, command, counts):
+def fault(program, model, command, counts):
     """What is wrong with what the program makes of the model; None where nothing is."""
-    options = list(COMMANDS[command])
-    result = folder / {"simplify": "out.obj", "info": "none"}.get(command, "out.json")
+    options = COMMANDS[command]
+    result = program.folder / ("out.obj" if command == "simplify" else "out.json")
     result.unlink(missing_ok=True)
-    status, words = run([program, command, model.name, *options, *([result.name] if options else [])], folder)
-    if status is None or status not in (0, 1):
+    status, words = program.run(command, model.name, *options, *([result.name] if options else []))
+    if status not in (0, 1):
         return words if status is None else "status %d: %s" % (status, words)
     counts[command, "accepted" if status == 0 else "refused"] += 1
+    if status == 1 and ("defect" in words or "internal" in words or not words.strip()):
+        return "refused without a reason: " + words
     if status == 1:
-        if "defect" in words or "internal" in words or not words.strip():
-            return "refused without a reason: " + words
         return "refused, but wrote a file: " + words if result.exists() else None
     if command == "simplify":
-        status, words = run([program, "info", result.name], folder)
+        status, words = program.run("info", result.name)
         return None if status == 0 else "cannot read what it wrote: " + words
-    return proof(program, folder, result, model) if options and result.suffix == ".json" else None
+    return proof(program, result, model) if options else None
 
 
 # ---- models --------------------------------------------------------------------------------------
 
-def sources(program, folder, named):
+def sources(program, named):
     """(bytes, ending) of each model, and of a small one in each format."""
     paths = []
     for path in map(pathlib.Path, named):
@@ -232,12 +238,11 @@ def sources(program, folder, named):
     for path in paths:
         if path.suffix.lower() not in (".obj", ".stl", ".ply", ".off"):
             continue
-        if path.stat().st_size < 50000:
+        if path.stat().st_size < MOST_WHOLE_BYTES:
             models.append((path.read_bytes(), path.suffix.lower()))
         for ending in (".obj", ".obj", ".obj", ".stl", ".ply", ".off"):
-            small = folder / ("small" + ending)
-            if run([program, "simplify", str(path.resolve()), "--faces", str(SMALL_FACES), "-o", small.name],
-                   folder)[0] == 0:
+            small = program.folder / ("small" + ending)
+            if program.run("simplify", str(path.resolve()), "--faces", str(SMALL_FACES), "-o", small.name)[0] == 0:
                 models.append((small.read_bytes(), ending))
     return models
 
@@ -248,28 +253,30 @@ def main():
     words.add_argument("--count", type=int, default=5000)
     words.add_argument("--first", type=int, default=0, help="the number of the first one")
     words.add_argument("--seed", type=int, default=1)
-    words.add_argument("--keep", type=pathlib.Path)
+    words.add_argument("--limit", type=int, default=10, help="seconds of processor time for a run")
+    words.add_argument("--keep", type=pathlib.Path, help="folder for models that something is wrong with")
     words.add_argument("models", nargs="*", default=[ROOT / "samples"])
     arguments = words.parse_args()
-    program = str(pathlib.Path(arguments.program).resolve())
     counts, faults = collections.Counter(), 0
     with tempfile.TemporaryDirectory() as folder:
-        folder = pathlib.Path(folder)
-        models = sources(program, folder, arguments.models)
+        program = Program(arguments.program, pathlib.Path(folder), arguments.limit)
+        models = sources(program, arguments.models)
         for number in range(arguments.first, arguments.first + arguments.count):
             r = random.Random("%d %d" % (arguments.seed, number))
             data, ending = r.choice(models)
             data, done = damage(data, ending, r)
-            model = folder / ("model" + ending)
+            model = program.folder / ("model" + ending)
             model.write_bytes(data)
             for command in COMMANDS:
-                wrong = fault(program, folder, model, command, counts)
+                wrong = fault(program, model, command, counts)
                 if wrong:
                     faults += 1
                     print("%d (%s), %s: %s" % (number, done, command, wrong.strip()[:600]), flush=True)
-                    if arguments.keep:
-                        arguments.keep.mkdir(parents=True, exist_ok=True)
-                        shutil.copy(model, arguments.keep / ("%d-%s%s" % (number, command, ending)))
+                if wrong and arguments.keep:
+                    arguments.keep.mkdir(parents=True, exist_ok=True)
+                    shutil.copy(model, arguments.keep / ("%d-%s%s" % (number, command, ending)))
+            if number % 100 == 99:
+                print("%d models" % (number + 1), file=sys.stderr, flush=True)
     for (command, what), count in sorted(counts.items()):
         print("%s: %d %s" % (command, count, what))
     print("%d models, %d faults" % (arguments.count, faults))

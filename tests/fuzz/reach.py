@@ -34,7 +34,7 @@ def reached(build):
     for corpus in sorted((ROOT / "tests" / "fuzz" / "corpus").iterdir()):
         run = subprocess.run([str(build / "tests" / "fuzz" / ("fuzz_" + corpus.name)), "-runs=0", "-print_coverage=1",
                               str(corpus)], capture_output=True, text=True, errors="replace", env=environment)
-        names = re.findall(r"^COVERED_FUNC: .*? (\w+) /", run.stderr, re.MULTILINE)
+        names = re.findall(r"^COVERED_FUNC: .*? (\w+) \S+:\d+$", run.stderr, re.MULTILINE)
         if not names:
             sys.exit("%s: no function is reached:\n%s" % (corpus.name, run.stderr[-2000:]))
         for name in names:
