@@ -19,4 +19,5 @@ COLOURS = {
     "steel": (0.620, 0.680, 0.720),
     "enamel": (0.900, 0.330, 0.220),
     "lamp": (0.980, 0.860, 0.420),
+    "painted": (1.0, 1.0, 1.0),     # the picture's colours as they are
 }
