@@ -172,6 +172,10 @@ KTG_API KTG_NODISCARD ktg_status ktg_mesh_component_names(ktg_context *context,
                                                           const char *fallback, ktg_names *names);
 KTG_API void ktg_names_free(ktg_names *names);
 
+/* A name as the readers make it: control characters become "_", bytes that are not UTF-8 are taken
+ * for Latin-1. Free with ktg_free; NULL on KTG_MEMORY. */
+KTG_API char *ktg_mesh_clean_name(ktg_context *context, const char *name);
+
 /* Makes each connected component a group of its own, named as above, in place of the mesh's groups:
  * what is apart in a file can be told apart after ktg_mesh_repair has joined it. On failure the
  * mesh is as it was. */

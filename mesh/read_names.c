@@ -45,6 +45,10 @@ char *ktg_name_clean(ktg_context *context, ktg_word text) {
     return (char *)clean;
 }
 
+char *ktg_mesh_clean_name(ktg_context *context, const char *name) {
+    return ktg_name_clean(context, (ktg_word){name, strlen(name)});
+}
+
 /* FNV-1a with a final mix. */
 static size_t hash_text(const char *text) {
     uint64_t hash = 0xcbf29ce484222325u;
