@@ -18,16 +18,16 @@ SIZE = 1024
 # Where bands lie in the picture: left, top, right, bottom.
 TOWER = (16, 16, 912, 536)
 ROCK = (16, 560, 912, 768)
-LANTERN = (344, 792, 1000, 872)
-RAIL = (344, 888, 1000, 928)
-BRACKETS = (344, 944, 1000, 968)
-FLOOR = (344, 984, 1000, 1006)
+LANTERN = (496, 792, 1000, 872)
+RAIL = (496, 888, 1000, 928)
+BRACKETS = (496, 944, 1000, 968)
+FLOOR = (496, 984, 1000, 1006)
 EAVES = (928, 16, 948, 536)    # upright: its length runs down
 
 # Discs: the middle in the picture, and pixels to the centimetre.
 ROOF = (120, 896, 62.0)
-GRASS = (966, 660, 9.0)
-GROUND = (284, 960, 5.0)
+GRASS = (364, 898, 20.0)
+GROUND = (970, 660, 5.0)
 
 # Height and radius of the rings of the tower.
 SHAFT = [(3.6, 2.55), (6.6, 2.15), (10.0, 1.9), (13.6, 1.75)]
@@ -174,7 +174,7 @@ def paint():
     random = Lcg(2026)
     paint_tower(picture)
     paint_rock(picture, Noise(random, 24), Noise(random, 9))
-    paint_crown(picture, Noise(random, 11), random)
+    paint_crown(picture, Noise(random, 16), random)
     paint_gallery(picture)
     paint_lantern(picture)
     paint_roof(picture)
@@ -257,16 +257,16 @@ def paint_crown(picture, noise, random):
     x0, y0, scale = GRASS
 
     def choose(x, y):
-        if abs(x - x0) < 7 + 4 * noise.at(x, y) and y > y0:
+        if abs(x - x0) < 14 + 8 * noise.at(x, y) and y > y0:
             return "path"
         return "grass %d" % (3 * noise.at(x, y) * 0.99)
 
     reach = 5.6 * scale
     picture.each(x0 - reach, y0 - reach, x0 + reach, y0 + reach, choose)
-    for k in range(26):
+    for k in range(60):
         x, y = (reach * (1.7 * random.next() - 0.85) for _ in range(2))
-        if abs(x) > 14 or y < 0:
-            picture.disc(x0 + x, y0 + y, 1.6,
+        if abs(x) > 28 or y < 0:
+            picture.disc(x0 + x, y0 + y, 2.5,
                          ("pink", "light", "white")[k % 3])
 
 
