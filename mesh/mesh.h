@@ -240,16 +240,27 @@ KTG_API KTG_NODISCARD ktg_status ktg_mesh_repair(ktg_context *context, ktg_mesh 
 typedef struct ktg_simplify_report {
     uint32_t faces_before, faces_after;
     bool target_reached;
+    uint32_t faces_without_uv; /* which had texture coordinates before */
 } ktg_simplify_report;
 
 /* Collapses edges by quadric error (Garland & Heckbert 1997; on OpenMesh's half-edges, with its
  * decimater's test of legality) to at most `target_faces`, in place. Topology and borders keep, no
  * normal flips, no degenerate face and no self-intersection that was not there before comes into
  * being; where these rules forbid every further collapse it stops early (report->target_reached =
- * false). Objects, groups, materials follow the surviving faces, and the lines between them are
- * kept to like edges; texture coordinates and polygons are dropped when anything changed. Marked
- * edges stay as they are: their vertices do not move. The mesh must be a manifold (as
- * ktg_mesh_repair leaves it), else KTG_ARGUMENT. On failure it is as it was. */
+ * false). Objects, groups, materials and colours follow the surviving faces, and the lines between
+ * them are kept to like edges; colours of vertices are blended. Marked edges stay as they are:
+ * their vertices do not move. Polygons are dropped when anything changed.
+ *
+ * Texture coordinates follow, too. Their seams (and in a model that has any, the lines between
+ * materials) stay: vertices on them move along them only, and those where seams meet or end stay,
+ * but for a move along their normal, which changes nothing in the texture. No face turns over in
+ * the texture. Where this would leave more faces than wished for, or seams meet in more than a
+ * quarter as many vertices as there shall be faces, the wish weighs more than the seams; faces
+ * whose coordinates then hold no longer have KTG_NONE at their corners, and are counted
+ * (report->faces_without_uv).
+ *
+ * The mesh must be a manifold (as ktg_mesh_repair leaves it), else KTG_ARGUMENT. On failure it is
+ * as it was. */
 KTG_API KTG_NODISCARD ktg_status ktg_mesh_simplify(ktg_context *context, ktg_mesh *mesh,
                                                    uint32_t target_faces,
                                                    ktg_simplify_report *report);
