@@ -302,6 +302,8 @@ ktg_column ktg_column_begin(const ktg_drawing *drawing, cairo_t *cairo, double w
 void ktg_column_write(ktg_column *at, ktg_face face, double digit_mm, double indent,
                       const char *text);
 void ktg_column_skip(ktg_column *at, double mm);
+/* The text in lines no longer than the column is wide; with `dry` it only takes its room. */
+void ktg_column_wrap(ktg_column *at, ktg_face face, double digit_mm, const char *text, bool dry);
 
 /* ---- tile.c, map.c, solid.c, cover.c, names.c
  * ------------------------------------------------------ */
@@ -369,6 +371,22 @@ void ktg_test_square_draw(cairo_t *cairo, double x, double y);
 
 /* A page of its own that tells how to read the pattern. */
 void ktg_guide_draw(const ktg_drawing *drawing, cairo_t *cairo, double width_mm, double height_mm);
+
+/* ---- build_page.c ------------------------------------------------------------------------- */
+
+/* "How to build it": the finished model, then step by step which seams are glued. */
+typedef struct ktg_build_guide ktg_build_guide;
+
+bool ktg_build_guide_is_wanted(const ktg_drawing *drawing);
+KTG_NODISCARD ktg_status ktg_build_guide_new(const ktg_drawing *drawing, ktg_build_guide **guide);
+void ktg_build_guide_free(ktg_build_guide **guide);
+/* The size of its pages: that of the sheets, A4 where those are very small or large. */
+void ktg_build_guide_size(const ktg_drawing *drawing, double *width_mm, double *height_mm);
+/* Draws the next page; there is always a first one. */
+KTG_NODISCARD ktg_status ktg_build_guide_draw(ktg_build_guide *guide, cairo_t *cairo,
+                                              double width_mm, double height_mm);
+/* Whether all pages are drawn. */
+bool ktg_build_guide_is_done(const ktg_build_guide *guide);
 
 /* ---- surface.c ---------------------------------------------------------------------------- */
 

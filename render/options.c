@@ -12,6 +12,7 @@ void ktg_render_defaults(ktg_render_options *options) {
                                     .dots_per_inch = 150,
                                     .up = 1,
                                     .colour = true,
+                                    .guide = true,
                                     .strain_map = true,
                                     .strain_limit = 0.05};
 }
