@@ -4,17 +4,19 @@
 #include "core/memory.h"
 
 #include <stdio.h>
+#include <string.h>
 
-#define GAP_MM     4.0
-#define CELL_MM    52.0 /* the least width of a step's picture, on usual paper ... */
-#define SMALL_MM   38.0 /* ... and on small paper */
-#define SMALL_PAGE 120.0
-#define CELL_HIGH  0.82 /* of its width */
-#define MODEL_HIGH 0.8
-#define TEXT_MM    1.9
-#define TITLE_MM   2.3
-#define LEAST_PAGE 100.0 /* on smaller or larger sheets the guide is on A4 */
-#define MOST_PAGE  430.0
+#define GAP_MM       4.0
+#define CELL_MM      52.0 /* the least width of a step's picture, on usual paper ... */
+#define SMALL_MM     38.0 /* ... and on small paper */
+#define SMALL_PAGE   120.0
+#define MOST_CELL_MM 100.0
+#define CELL_HIGH    0.82 /* of its width */
+#define MODEL_HIGH   0.8
+#define TEXT_MM      1.9
+#define TITLE_MM     2.3
+#define LEAST_PAGE   100.0 /* on smaller or larger sheets the guide is on A4 */
+#define MOST_PAGE    430.0
 
 bool ktg_build_guide_is_wanted(const ktg_drawing *drawing) {
     const ktg_pattern *pattern = drawing->pattern;
@@ -28,6 +30,10 @@ ktg_status ktg_build_guide_new(const ktg_drawing *drawing, ktg_build_guide **gui
         return KTG_MEMORY;
     (*guide)->drawing = drawing;
     ktg_status status = ktg_guide_find_steps(*guide);
+    if (status == KTG_OK)
+        status = ktg_guide_choose_eyes(*guide);
+    for (uint32_t k = 0; status == KTG_OK && k < (*guide)->step_count; k++)
+        (*guide)->cell_count += (*guide)->steps[k].eye_count > 1 ? 2 : 1;
     if (status != KTG_OK)
         ktg_build_guide_free(guide);
     return status;
@@ -42,7 +48,7 @@ void ktg_build_guide_size(const ktg_drawing *drawing, double *width_mm, double *
 }
 
 bool ktg_build_guide_is_done(const ktg_build_guide *guide) {
-    return guide->has_begun && guide->next_step == guide->step_count;
+    return guide->has_begun && guide->next_cell == guide->cell_count;
 }
 
 /* ---- the head ----------------------------------------------------------------------------- */
@@ -80,6 +86,12 @@ static void write_rules(const ktg_build_guide *g, ktg_column *at) {
                     "there like a zip. Edges without a number meet in a narrow notch: close it as "
                     "soon as a seam comes to it.",
                     false);
+    if (g->drawing->pattern->piece_count > 1 && ktg_guide_has_bodies(g))
+        ktg_column_wrap(at, KTG_FACE_PLAIN, TEXT_MM,
+                        "Bodies that no seam joins are built one by one; put them together as the "
+                        "pictures show. For the last seam of a body put glue on all its tabs at "
+                        "once, then press the paper down on them.",
+                        false);
 }
 
 static void draw_key(ktg_column *at) {
@@ -142,80 +154,144 @@ static ktg_status draw_head(ktg_build_guide *g, ktg_column *at) {
 
 /* ---- steps -------------------------------------------------------------------------------- */
 
-static bool has_picture(const ktg_build_guide *g, uint32_t step) {
-    return g->steps[step].seam_count >= g->picture_least;
-}
+/* A step's picture and text, or its second picture. */
+typedef struct cell {
+    uint32_t step;
+    int eye;
+} cell;
 
-/* The pieces of the body that are there once the step is done. */
-static void show_pieces(ktg_build_guide *g, uint32_t step) {
-    for (uint32_t f = 0; f < g->drawing->pattern->face_count; f++) {
-        uint32_t piece = g->piece_of[f];
-        g->shown[f] = piece != KTG_NONE && g->part_of[piece] == g->steps[step].part &&
-                      g->first_step[piece] > 0 && g->first_step[piece] <= step + 1;
+static cell find_cell(const ktg_build_guide *g, uint32_t number) {
+    cell c = {0, 0};
+    for (;; c.step++) {
+        uint32_t cells = g->steps[c.step].eye_count > 1 ? 2 : 1;
+        if (number < cells)
+            break;
+        number -= cells;
     }
+    c.eye = (int)number;
+    return c;
 }
 
-/* What is written under a step's picture, or with `dry` only how high that is. */
-static double write_step(const ktg_build_guide *g, uint32_t step, ktg_column at, const char *eye,
-                         const char *missing, bool dry) {
+/* "(Seen from behind; 3 is not seen.)" */
+static void write_eye(const ktg_build_guide *g, cell c, ktg_column *at, bool dry) {
+    const ktg_step *step = &g->steps[c.step];
+    char text[2 * KTG_WORDS_SIZE], missing[KTG_WORDS_SIZE] = "";
+    if (step->eye_count == 0)
+        return;
+    if (c.eye + 1 == step->eye_count && !dry)
+        ktg_words_missing(g, c.step, missing);
+    if (c.eye > 0)
+        snprintf(text, sizeof text, "Step %u ", c.step + 1);
+    else
+        snprintf(text, sizeof text, "Seen ");
+    size_t used = strlen(text);
+    snprintf(text + used, sizeof text - used, "%s%s%s.", step->eyes[c.eye].name,
+             *missing ? "; hidden: " : "", missing);
+    ktg_column_wrap(at, KTG_FACE_PLAIN, 0.9 * TEXT_MM, text, dry);
+}
+
+/* What is written under a cell's picture, or with `dry` only how high that is. */
+static double write_cell(const ktg_build_guide *g, cell c, ktg_column at, bool dry) {
     char text[KTG_WORDS_SIZE];
     double y = at.y;
-    ktg_words_title(g, step, text);
-    ktg_column_wrap(&at, KTG_FACE_BOLD, TITLE_MM, text, dry);
-    ktg_words_step(g, step, text);
-    ktg_column_wrap(&at, KTG_FACE_PLAIN, TEXT_MM, text, dry);
-    if (*eye) {
-        snprintf(text, sizeof text, "(Seen %s%s%s.)", eye, *missing ? "; " : "", missing);
-        ktg_column_wrap(&at, KTG_FACE_PLAIN, 0.85 * TEXT_MM, text, dry);
+    if (c.eye == 0) {
+        ktg_words_title(g, c.step, text);
+        ktg_column_wrap(&at, KTG_FACE_BOLD, TITLE_MM, text, dry);
+        ktg_words_step(g, c.step, text);
+        ktg_column_wrap(&at, KTG_FACE_PLAIN, TEXT_MM, text, dry);
     }
+    write_eye(g, c, &at, dry);
     return at.y - y;
 }
 
-/* Draws a step at the column's place; its height comes out. */
-static ktg_status draw_step(ktg_build_guide *g, uint32_t step, ktg_column at, double *height) {
-    ktg_named_eye eye = {.name = ""};
-    char missing[KTG_WORDS_SIZE] = "";
-    double picture = has_picture(g, step) ? CELL_HIGH * at.width : 0;
+static double picture_height(const ktg_build_guide *g, cell c, const ktg_column *at) {
+    return g->steps[c.step].eye_count > 0 ? g->shape * at->width : 0;
+}
+
+/* Draws a cell at the column's place; its height comes out. */
+static ktg_status draw_cell(ktg_build_guide *g, cell c, ktg_column at, double *height) {
+    double picture = picture_height(g, c, &at);
     if (picture > 0) {
+        ktg_area area = {at.x, at.y, at.x + at.width, at.y + picture};
         KTG_TRY(ktg_check_cancel(g->drawing->context));
-        show_pieces(g, step);
-        KTG_TRY(ktg_guide_choose_eye(g, step, &eye));
-        if (*eye.name)
-            KTG_TRY(ktg_guide_draw_step(g, step, at.cairo,
-                                        (ktg_area){at.x, at.y, at.x + at.width, at.y + picture},
-                                        &eye, missing));
+        KTG_TRY(ktg_guide_draw_step(g, c.step, c.eye, at.cairo, area));
         at.y += picture + 1;
     }
-    *height = write_step(g, step, at, eye.name, missing, false) + (picture > 0 ? picture + 1 : 0);
+    *height = write_cell(g, c, at, false) + (picture > 0 ? picture + 1 : 0);
     return KTG_OK;
 }
 
-static double height_of_step(const ktg_build_guide *g, uint32_t step, ktg_column at) {
-    double height = write_step(g, step, at, "from the front right, high above",
-                               "not seen from here: 1, 2, 3, 4", true);
-    return height + (has_picture(g, step) ? CELL_HIGH * at.width + 1 : 0);
+/* The height of the row of `count` cells from `first` on. */
+static double row_height(const ktg_build_guide *g, uint32_t first, uint32_t count, ktg_column at) {
+    double height = 0;
+    for (uint32_t k = 0; k < count; k++) {
+        cell c = find_cell(g, first + k);
+        double picture = picture_height(g, c, &at);
+        height = fmax(height, write_cell(g, c, at, true) + (picture > 0 ? picture + 1 : 0));
+    }
+    return height;
 }
 
-static ktg_status draw_steps(ktg_build_guide *g, ktg_column *at, bool is_empty) {
-    double least = at->width < SMALL_PAGE ? SMALL_MM : CELL_MM;
-    uint32_t columns = (uint32_t)fmax(1, floor((at->width + GAP_MM) / (least + GAP_MM)));
-    ktg_column cell = *at;
-    cell.width = (at->width - (columns - 1) * GAP_MM) / columns;
-    while (g->next_step < g->step_count) {
-        uint32_t left = g->step_count - g->next_step, count = left < columns ? left : columns;
-        double high = 0, row = 0;
-        for (uint32_t k = 0; k < count; k++)
-            high = fmax(high, height_of_step(g, g->next_step + k, cell));
-        if (!is_empty && cell.y + high > at->floor)
-            return KTG_OK;
-        for (uint32_t k = 0; k < count; k++) {
-            cell.x = at->x + k * (cell.width + GAP_MM);
-            KTG_TRY(draw_step(g, g->next_step + k, cell, &high));
+/* How many of the cells from `first` on have room above the column's floor, in whole rows. */
+static uint32_t cells_with_room(const ktg_build_guide *g, uint32_t columns, ktg_column at) {
+    uint32_t next = g->next_cell;
+    while (next < g->cell_count) {
+        uint32_t left = g->cell_count - next, count = left < columns ? left : columns;
+        double high = row_height(g, next, count, at);
+        if (at.y + high > at.floor)
+            break;
+        at.y += high + GAP_MM;
+        next += count;
+    }
+    return next - g->next_cell;
+}
+
+static ktg_column place_of(const ktg_column *at, uint32_t columns) {
+    ktg_column place = *at;
+    place.width = (at->width - (columns - 1) * GAP_MM) / columns;
+    return place;
+}
+
+/* The columns and the shape of pictures with which most cells find room on the page; of several
+ * choices the one with the largest pictures. Returns how many cells that are. */
+static uint32_t choose_grid(ktg_build_guide *g, const ktg_column *at, uint32_t *columns) {
+    static const double shapes[] = {0.95, 0.82, 0.72, 0.62};
+    double least = at->width < SMALL_PAGE ? SMALL_MM : CELL_MM, area = 0, shape = shapes[0];
+    uint32_t most_columns = (uint32_t)fmax(1, floor((at->width + GAP_MM) / (least + GAP_MM)));
+    uint32_t most = 0;
+    *columns = most_columns;
+    for (uint32_t c = 1; c <= most_columns; c++) {
+        ktg_column place = place_of(at, c);
+        for (size_t i = 0; i < sizeof shapes / sizeof *shapes && place.width <= MOST_CELL_MM; i++) {
+            double own = place.width * place.width * shapes[i];
+            g->shape = shapes[i];
+            uint32_t count = cells_with_room(g, c, place);
+            if (count < most || (count == most && own <= area))
+                continue;
+            most = count;
+            area = own;
+            shape = shapes[i];
+            *columns = c;
+        }
+    }
+    g->shape = shape;
+    return most;
+}
+
+static ktg_status draw_cells(ktg_build_guide *g, ktg_column *at, bool is_empty) {
+    uint32_t columns, room = choose_grid(g, at, &columns);
+    ktg_column place = place_of(at, columns);
+    if (room == 0 && is_empty) /* a page too small for a row has one anyway */
+        room = columns;
+    uint32_t left = g->cell_count - g->next_cell, end = g->next_cell + (room < left ? room : left);
+    while (g->next_cell < end) {
+        double high, row = 0;
+        for (uint32_t k = 0; k < columns && g->next_cell < end; k++) {
+            place.x = at->x + k * (place.width + GAP_MM);
+            KTG_TRY(draw_cell(g, find_cell(g, g->next_cell++), place, &high));
             row = fmax(row, high);
         }
-        g->next_step += count;
-        cell.y += row + GAP_MM;
-        is_empty = false;
+        place.y += row + GAP_MM;
     }
     return KTG_OK;
 }
@@ -230,5 +306,5 @@ ktg_status ktg_build_guide_draw(ktg_build_guide *guide, cairo_t *cairo, double w
     ktg_page_begin(cairo);
     if (is_first)
         KTG_TRY(draw_head(guide, &at));
-    return draw_steps(guide, &at, !is_first);
+    return draw_cells(guide, &at, !is_first);
 }

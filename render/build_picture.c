@@ -218,67 +218,54 @@ static ktg_status draw_inset(const ktg_build_guide *g, const step_look *look, co
     return status;
 }
 
-/* "Not in the picture: 14, 15." */
-static void list_missing(const ktg_build_guide *g, const ktg_step *step,
-                         const ktg_callout *callouts, size_t count, char missing[KTG_WORDS_SIZE]) {
-    size_t used = 0;
-    *missing = 0;
-    for (uint32_t i = 0; i < step->numbered; i++) {
-        char text[32];
-        bool found = g->low[step->seams[i]] == 0;
-        ktg_words_range(g->low[step->seams[i]], g->high[step->seams[i]], text);
-        for (size_t k = 0; k < count; k++)
-            found = found || (callouts[k].is_placed && strcmp(callouts[k].text, text) == 0);
-        if (!found && used < KTG_WORDS_SIZE - 64)
-            used += (size_t)snprintf(missing + used, KTG_WORDS_SIZE - used, "%s%s",
-                                     used ? ", " : "not seen from here: ", text);
-    }
-}
-
-static ktg_status draw_seams(const ktg_build_guide *g, const ktg_step *step,
-                             const ktg_picture *picture, cairo_t *cairo, ktg_area area,
-                             const ktg_area *taken, char missing[KTG_WORDS_SIZE]) {
-    ktg_callout *callouts = ktg_new(g->drawing->context, step->seam_count, ktg_callout);
+static ktg_status draw_seams(ktg_build_guide *g, const ktg_step *step, const ktg_picture *picture,
+                             cairo_t *cairo, ktg_area area, const ktg_area *taken) {
+    ktg_context *context = g->drawing->context;
+    ktg_callout *callouts = ktg_new(context, step->seam_count, ktg_callout);
+    uint32_t *seams = ktg_new(context, step->seam_count, uint32_t);
+    ktg_status status = callouts && seams ? KTG_OK : KTG_MEMORY;
     size_t count = 0;
-    if (!callouts)
-        return KTG_MEMORY;
-    for (uint32_t i = step->seam_count; i-- > 0;) { /* notches below */
+    for (uint32_t i = step->seam_count; status == KTG_OK && i-- > 0;) { /* notches below */
+        uint32_t seam = step->seams[i];
         run longest;
-        stroke_seam(g, picture, cairo, step->seams[i], &longest);
-        if (i < step->numbered && call_seam(g, step->seams[i], &longest, area, &callouts[count]))
-            count++;
+        stroke_seam(g, picture, cairo, seam, &longest);
+        if (i < step->numbered && !g->is_told[seam] &&
+            call_seam(g, seam, &longest, area, &callouts[count]))
+            seams[count++] = seam;
     }
     ktg_callouts_place(cairo, callouts, count, NUMBER_MM, area, taken, taken ? 1 : 0);
     ktg_callouts_draw(cairo, callouts, count, NUMBER_MM, KTG_FACE_BOLD);
-    list_missing(g, step, callouts, count, missing);
+    for (size_t i = 0; i < count; i++)
+        g->is_told[seams[i]] = callouts[i].is_placed;
     ktg_free(callouts);
-    return KTG_OK;
+    ktg_free(seams);
+    return status;
 }
 
-ktg_status ktg_guide_draw_step(const ktg_build_guide *guide, uint32_t step, cairo_t *cairo,
-                               ktg_area area, const ktg_named_eye *eye,
-                               char missing[KTG_WORDS_SIZE]) {
+ktg_status ktg_guide_draw_step(ktg_build_guide *guide, uint32_t step, int eye, cairo_t *cairo,
+                               ktg_area area) {
     const ktg_pattern *pattern = guide->drawing->pattern;
+    const ktg_eye *from = &guide->steps[step].eyes[eye].eye;
     step_look user = {guide, step + 1};
     ktg_look look = {&user, step_colour, step_line, 0.18};
     ktg_area seen, taken;
     ktg_picture picture;
-    *missing = 0;
-    if (!ktg_view_extent(pattern, guide->shown, &eye->eye, &seen))
+    ktg_guide_show_pieces(guide, step);
+    if (!ktg_view_extent(pattern, guide->shown, from, &seen))
         return KTG_OK;
     seen = widen(seen);
     if (!(seen.x1 > seen.x0))
         return KTG_OK;
-    ktg_area frame = frame_of(guide, &guide->steps[step], &eye->eye, seen);
+    ktg_area frame = frame_of(guide, &guide->steps[step], from, seen);
     double shown = fmax(frame.x1 - frame.x0, frame.y1 - frame.y0);
     bool inset = shown < INSET * fmax(seen.x1 - seen.x0, seen.y1 - seen.y0);
-    ktg_status status = ktg_picture_draw(guide->drawing->context, pattern, guide->shown, &eye->eye,
+    ktg_status status = ktg_picture_draw(guide->drawing->context, pattern, guide->shown, from,
                                          frame, &look, cairo, area, &picture);
     if (status == KTG_OK && inset)
-        status = draw_inset(guide, &user, &eye->eye, seen, cairo, area, &taken);
+        status = draw_inset(guide, &user, from, seen, cairo, area, &taken);
     if (status == KTG_OK)
-        status = draw_seams(guide, &guide->steps[step], &picture, cairo, area,
-                            inset ? &taken : NULL, missing);
+        status =
+            draw_seams(guide, &guide->steps[step], &picture, cairo, area, inset ? &taken : NULL);
     ktg_view_drop(&picture.view);
     return status;
 }

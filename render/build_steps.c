@@ -263,8 +263,10 @@ static ktg_status make_room(ktg_build_guide *g) {
     g->seam_of = ktg_new(context, 3 * (size_t)p->face_count, uint32_t);
     g->tints = ktg_new(context, p->piece_count, uint32_t);
     g->shown = ktg_new(context, p->face_count, bool);
+    g->is_told = ktg_new(context, p->seam_count, bool);
     if (!g->steps || !g->seams_in || !g->low || !g->high || !g->piece_of || !g->part_of ||
-        !g->first_step || !g->stage || !g->sides || !g->seam_of || !g->tints || !g->shown)
+        !g->first_step || !g->stage || !g->sides || !g->seam_of || !g->tints || !g->shown ||
+        !g->is_told)
         return KTG_MEMORY;
     for (size_t f = 0; f < p->face_count; f++)
         g->piece_of[f] = KTG_NONE;
@@ -302,6 +304,7 @@ void ktg_build_guide_free(ktg_build_guide **guide) {
     ktg_free(g->seam_of);
     ktg_free(g->tints);
     ktg_free(g->shown);
+    ktg_free(g->is_told);
     ktg_free(g);
     *guide = NULL;
 }

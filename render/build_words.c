@@ -6,6 +6,7 @@
 
 #define EN_DASH "\xe2\x80\x93"
 #define SQUARED "\xc2\xb2"
+#define ASIDE   0.33 /* of half the body: what is nearer to its middle has no side */
 
 /* Appends to a text of KTG_WORDS_SIZE, as much as fits. */
 static void add(char *text, const char *words) {
@@ -65,117 +66,176 @@ void ktg_words_paper(const ktg_build_guide *guide, char text[KTG_WORDS_SIZE]) {
 
 /* ---- steps -------------------------------------------------------------------------------- */
 
+bool ktg_guide_has_bodies(const ktg_build_guide *g) {
+    for (uint32_t p = 0; p < g->drawing->pattern->piece_count; p++)
+        if (g->part_of[p] != 0)
+            return true;
+    return false;
+}
+
 void ktg_words_title(const ktg_build_guide *guide, uint32_t step, char text[KTG_WORDS_SIZE]) {
     const ktg_step *s = &guide->steps[step];
     char range[32];
     ktg_words_range(s->low, s->high, range);
     snprintf(text, KTG_WORDS_SIZE, "%u. %s%s%s", step + 1,
-             !*range             ? "Notches"
+             !*range             ? "Without numbers"
              : s->low == s->high ? "Seam "
                                  : "Seams ",
-             range, s->closing > 0 ? ", the last" : "");
-    if (s->closing > 0 && guide->step_count == 1)
-        snprintf(text, KTG_WORDS_SIZE, "%u. %s %s", step + 1, s->low == s->high ? "Seam" : "Seams",
-                 range);
+             range,
+             s->closing > 0 && guide->step_count > 1 && !ktg_guide_has_bodies(guide) ? ", the last"
+                                                                                     : "");
 }
 
-/* Where in its body a step's seams lie, as one sees it from the front: "at the top, on the left".
- */
-static void add_place(const ktg_build_guide *g, const ktg_step *s, char *text) {
-    static const char *const words[3][2] = {
-        {"left", "right"}, {"bottom", "top"}, {"back", "front"}};
+void ktg_words_missing(const ktg_build_guide *guide, uint32_t step, char text[KTG_WORDS_SIZE]) {
+    const ktg_step *s = &guide->steps[step];
+    *text = 0;
+    for (uint32_t i = 0; i < s->numbered; i++) {
+        char range[32];
+        if (guide->is_told[s->seams[i]] || guide->low[s->seams[i]] == 0)
+            continue;
+        ktg_words_range(guide->low[s->seams[i]], guide->high[s->seams[i]], range);
+        add(text, *text ? ", " : "");
+        add(text, range);
+    }
+}
+
+/* Where a step's seams lie between the ends of their body along an axis, -1 to 1. */
+static double place_along(const ktg_build_guide *g, const ktg_step *s, ktg_vec3 axis) {
     const ktg_pattern *p = g->drawing->pattern;
+    double low = INFINITY, high = -INFINITY, sum = 0, number = 0;
+    for (size_t h = 0; h < 3 * (size_t)p->face_count; h++) {
+        uint32_t piece = g->piece_of[h / 3];
+        if (piece == KTG_NONE || g->part_of[piece] != s->part)
+            continue;
+        double at = ktg_dot3(p->vertices[p->faces[h]], axis);
+        low = fmin(low, at);
+        high = fmax(high, at);
+    }
+    for (uint32_t i = 0; i < s->seam_count; i++) {
+        const ktg_pattern_seam *seam = &p->seams[s->seams[i]];
+        for (uint32_t e = 0; e < 2 * seam->edge_count; e++, number++)
+            sum += ktg_dot3(p->vertices[p->edges[seam->edges[e / 2]].vertices[e % 2]], axis);
+    }
+    return high > low && number > 0 ? (2 * sum / number - low - high) / (high - low) : 0;
+}
+
+/* "at the top, on the left", as one sees it from the front. */
+static void add_place(const ktg_build_guide *g, const ktg_step *s, char *text) {
+    static const char *const words[3][2] = {{"at the bottom", "at the top"},
+                                            {"at the back", "at the front"},
+                                            {"on the left", "on the right"}};
     ktg_eye front = ktg_eye_at(g->drawing->options.up, 0, 0);
-    ktg_vec3 axes[3] = {front.right, front.above, front.toward};
-    const char *found[3];
+    ktg_vec3 axes[3] = {front.above, front.toward, front.right};
     int count = 0;
-    for (int axis = 1; axis < 4; axis++) { /* height first */
-        double low = INFINITY, high = -INFINITY, sum = 0, number = 0;
-        const ktg_vec3 *a = &axes[axis % 3];
-        for (size_t h = 0; h < 3 * (size_t)p->face_count; h++) {
-            uint32_t piece = g->piece_of[h / 3];
-            if (piece == KTG_NONE || g->part_of[piece] != s->part)
-                continue;
-            double at = ktg_dot3(p->vertices[p->faces[h]], *a);
-            low = fmin(low, at);
-            high = fmax(high, at);
-        }
-        for (uint32_t i = 0; i < s->seam_count; i++) {
-            const ktg_pattern_seam *seam = &p->seams[s->seams[i]];
-            for (uint32_t e = 0; e < 2 * seam->edge_count; e++, number++)
-                sum += ktg_dot3(p->vertices[p->edges[seam->edges[e / 2]].vertices[e % 2]], *a);
-        }
-        double at = high > low && number > 0 ? (2 * sum / number - low - high) / (high - low) : 0;
-        if (fabs(at) > 0.33)
-            found[count++] = words[axis % 3][at > 0];
+    for (int k = 0; k < 3; k++) {
+        double at = place_along(g, s, axes[k]);
+        if (fabs(at) <= ASIDE)
+            continue;
+        add(text, count++ > 0 ? ", " : "");
+        add(text, words[k][at > 0]);
     }
     if (count == 0)
         add(text, "in the middle");
-    for (int k = 0; k < count; k++) {
-        add(text, k == 0 ? "" : ", ");
-        add(text, found[k]);
-    }
 }
 
-static void add_piece(const ktg_build_guide *g, uint32_t piece, char *text) {
+/* "piece 3" where all pieces belong to one part of the model, else its name. */
+static void add_piece(const ktg_build_guide *g, uint32_t piece, bool brief, char *text) {
     char name[KTG_NAME_SIZE];
-    if (g->drawing->pattern->component_count == 1) {
-        ktg_drawing_piece_part(g->drawing, piece, name);
-        add(text, "piece ");
-        add(text, *name ? name : "1 of 1");
-    } else {
+    if (g->drawing->pattern->component_count == 1)
+        snprintf(name, sizeof name, "%s%u", brief ? "" : "piece ", piece + 1);
+    else
         ktg_drawing_piece_name(g->drawing, piece, name);
-        add(text, name);
+    add(text, name);
+}
+
+static bool has_piece(const ktg_pattern_seam *seam, uint32_t piece) {
+    return seam->pieces[0] == piece || seam->pieces[1] == piece;
+}
+
+/* The end of the run of seams from `from` on that close one piece, or join one to others; which
+ * one comes out. */
+static uint32_t end_of_run(const ktg_build_guide *g, const ktg_step *s, uint32_t from,
+                           uint32_t *piece) {
+    const ktg_pattern_seam *seams = g->drawing->pattern->seams;
+    const ktg_pattern_seam *first = &seams[s->seams[from]];
+    bool joint = first->pieces[0] != first->pieces[1];
+    uint32_t best = from;
+    for (int k = 0; k < 2; k++) {
+        uint32_t end = from + 1;
+        while (end < s->numbered && has_piece(&seams[s->seams[end]], first->pieces[k]) &&
+               (seams[s->seams[end]].pieces[0] != seams[s->seams[end]].pieces[1]) == joint)
+            end++;
+        if (end > best) {
+            best = end;
+            *piece = first->pieces[k];
+        }
+    }
+    return best;
+}
+
+/* The pieces that the seams of a run join to `piece`, each once: "2, 5 and 7". */
+static void add_partners(const ktg_build_guide *g, const ktg_step *s, uint32_t from, uint32_t to,
+                         uint32_t piece, char *text) {
+    const ktg_pattern_seam *seams = g->drawing->pattern->seams;
+    uint32_t count = 0;
+    for (uint32_t i = from; i < to; i++) {
+        const ktg_pattern_seam *seam = &seams[s->seams[i]];
+        uint32_t other = seam->pieces[seam->pieces[0] == piece];
+        bool known = false;
+        for (uint32_t k = from; k < i; k++)
+            known = known || has_piece(&seams[s->seams[k]], other);
+        if (known)
+            continue;
+        add(text, count++ > 0 ? ", " : "");
+        add_piece(g, other, true, text);
     }
 }
 
-/* Which piece is closed, and which are joined: "Join piece 2 of 5 to piece 3 of 5." */
+/* Which pieces are closed and which are joined: "Close piece 2. 7-9: join it to 1, 5." */
 static void add_pieces(const ktg_build_guide *g, const ktg_step *s, char *text) {
-    const ktg_pattern *p = g->drawing->pattern;
-    const uint32_t *before = NULL;
-    for (uint32_t i = 0; i < s->numbered; i++) {
-        const uint32_t *pieces = p->seams[s->seams[i]].pieces;
-        uint32_t low = g->low[s->seams[i]], high = g->high[s->seams[i]];
+    const ktg_pattern_seam *seams = g->drawing->pattern->seams;
+    for (uint32_t i = 0, end; i < s->numbered; i = end) {
+        uint32_t piece = 0, low = g->low[s->seams[i]];
         char range[32];
-        if (before && ((before[0] == pieces[0] && before[1] == pieces[1]) ||
-                       (before[0] == pieces[1] && before[1] == pieces[0])))
-            continue;
-        for (uint32_t k = i + 1; k < s->numbered; k++) { /* the run of these two pieces */
-            const uint32_t *other = p->seams[s->seams[k]].pieces;
-            if (!((other[0] == pieces[0] && other[1] == pieces[1]) ||
-                  (other[0] == pieces[1] && other[1] == pieces[0])))
-                break;
-            high = g->high[s->seams[k]];
-        }
-        before = pieces;
-        ktg_words_range(low, high, range);
-        if (*range && (low != s->low || high != s->high)) {
+        end = end_of_run(g, s, i, &piece);
+        bool joint = seams[s->seams[i]].pieces[0] != seams[s->seams[i]].pieces[1];
+        ktg_words_range(low, g->high[s->seams[end - 1]], range);
+        if (end - i < s->numbered && *range) {
             add(text, range);
             add(text, ": ");
         }
-        bool joint = pieces[0] != pieces[1];
-        add(text, joint ? "join " : "close ");
-        add_piece(g, pieces[0], text);
-        add(text, joint ? " to " : "");
-        if (joint)
-            add_piece(g, pieces[1], text);
+        if (end - i < s->numbered && *range)
+            add(text, joint ? "join " : "close ");
+        else
+            add(text, joint ? "Join " : "Close ");
+        add_piece(g, piece, false, text);
+        if (joint) {
+            add(text, " to ");
+            add_partners(g, s, i, end, piece, text);
+        }
         add(text, ". ");
     }
+}
+
+/* True when no other step belongs to the step's body. */
+static bool is_alone(const ktg_build_guide *g, uint32_t step) {
+    return (step == 0 || g->steps[step - 1].part != g->steps[step].part) &&
+           (step + 1 == g->step_count || g->steps[step + 1].part != g->steps[step].part);
 }
 
 static void add_begin(const ktg_build_guide *g, uint32_t step, char *text) {
     const ktg_step *s = &g->steps[step];
     char words[96];
-    if (step == 0)
-        add(text, "Begin here, ");
-    else if (s->is_begin && g->steps[step - 1].part != s->part)
-        add(text, "A new body: begin ");
-    else if (s->is_begin)
-        add(text, "Begin anew, ");
+    if (is_alone(g, step))
+        return;
+    if (s->is_begin)
+        add(text, step == 0                            ? "Begin here, "
+                  : g->steps[step - 1].part != s->part ? "Begin the next body, "
+                                                       : "Begin anew, ");
     else if (s->follows[1] > 0) {
-        snprintf(words, sizeof words, "Brings together what steps %u and %u have closed, ",
-                 s->follows[0] < s->follows[1] ? s->follows[0] : s->follows[1],
-                 s->follows[0] < s->follows[1] ? s->follows[1] : s->follows[0]);
+        bool order = s->follows[0] < s->follows[1];
+        snprintf(words, sizeof words, "Bring together what steps %u and %u have closed, ",
+                 s->follows[order ? 0 : 1], s->follows[order ? 1 : 0]);
         add(text, words);
     } else {
         snprintf(words, sizeof words, "Go on from step %u, ", s->follows[0]);
@@ -190,37 +250,37 @@ static void add_notches(const ktg_step *s, char *text) {
     uint32_t notches = s->seam_count - s->numbered;
     if (notches == 0)
         return;
-    snprintf(words, sizeof words, "%u notch%s without a number. ", notches,
-             notches == 1 ? "" : "es");
+    snprintf(words, sizeof words, "%s %u notch%s without a number. ",
+             s->numbered > 0 ? "And" : "Close", notches, notches == 1 ? "" : "es");
     add(text, words);
 }
 
 /* The seams that close a body are the last ones with numbers. */
 static void add_closing(const ktg_build_guide *g, const ktg_step *s, char *text) {
     char range[32] = "", words[192];
+    bool one = s->closing == 1;
     if (s->closing == 0 || s->closing > s->numbered)
         return;
     ktg_words_range(g->low[s->seams[s->numbered - s->closing]], s->high, range);
-    if (s->closing > 1)
-        snprintf(words, sizeof words,
-                 "%s close%s the model: glue on all their tabs at once, then press it shut.",
-                 *range ? range : "The last seams", *range ? "" : "");
-    else
-        snprintf(words, sizeof words,
-                 "%s closes the model: glue on all its tabs at once, then press it shut.",
-                 *range ? range : "The last seam");
+    snprintf(words, sizeof words, "%s%s close%s %s",
+             *range ? ""
+             : one  ? "The last seam"
+                    : "The last seams",
+             range, one ? "s" : "", ktg_guide_has_bodies(g) ? "it." : "the model: ");
+    add(text, words);
+    if (ktg_guide_has_bodies(g)) /* the head of the page says the rest once for all */
+        return;
+    snprintf(words, sizeof words,
+             "put glue on all %s tabs at once, then press the paper down on them.",
+             one ? "its" : "their");
     add(text, words);
 }
 
 void ktg_words_step(const ktg_build_guide *guide, uint32_t step, char text[KTG_WORDS_SIZE]) {
     const ktg_step *s = &guide->steps[step];
-    const ktg_pattern *p = guide->drawing->pattern;
-    bool several = false;
     *text = 0;
-    for (uint32_t i = 0; i < p->piece_count; i++)
-        several = several || (guide->part_of[i] == s->part && i != s->part);
     add_begin(guide, step, text);
-    if (several || p->component_count > 1)
+    if (guide->drawing->pattern->piece_count > 1)
         add_pieces(guide, s, text);
     add_notches(s, text);
     add_closing(guide, s, text);
