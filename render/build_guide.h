@@ -45,7 +45,6 @@ struct ktg_build_guide {
     uint32_t *stage;        /* face_count: the step in which the face gets its place; 0: in none */
     uint8_t *sides;         /* 3 face_count: ktg_side_kind */
     uint32_t *seam_of;      /* 3 face_count, KTG_NONE */
-    uint32_t *tints;        /* piece_count: pale, neighbours differ */
     bool *shown;            /* face_count: for the picture being drawn */
     bool *is_told;          /* seam_count: its number stands in a picture of its step */
     uint32_t picture_least; /* steps of fewer seams have no picture: there are too many */
@@ -95,7 +94,7 @@ KTG_NODISCARD ktg_status ktg_guide_draw_step(ktg_build_guide *guide, uint32_t st
                                              cairo_t *cairo, ktg_area area);
 /* Colours of the key: what a step closes, what was built before, what is still open. */
 #define KTG_GUIDE_NOW    0xffcf70u
-#define KTG_GUIDE_BEFORE 0xb4bfcbu
+#define KTG_GUIDE_BEFORE 0xaab7c5u
 #define KTG_GUIDE_OPEN   0xffffffu
 
 #endif

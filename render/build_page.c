@@ -105,7 +105,7 @@ static void draw_key(ktg_column *at) {
     ktg_text_set(at->cairo, KTG_FACE_PLAIN, TEXT_MM * at->scale);
     cairo_set_dash(at->cairo, NULL, 0, 0);
     for (size_t k = 0; k < sizeof keys / sizeof *keys; k++) {
-        uint32_t c = keys[k].colour;
+        uint32_t c = ktg_drawing_colour(at->drawing, keys[k].colour);
         cairo_rectangle(at->cairo, x, at->y, 1.6 * size, size);
         cairo_set_source_rgb(at->cairo, (c >> 16 & 255) / 255.0, (c >> 8 & 255) / 255.0,
                              (c & 255) / 255.0);

@@ -3,12 +3,7 @@
 
 #include "core/memory.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #define NUMBER_MM  1.75
-#define NAME_MM    1.9
 #define SEAM_MM    0.55
 #define NOTCH_MM   0.3
 #define FRAME      1.5  /* a step's picture is so much wider than its seams, ... */
@@ -28,9 +23,9 @@ static uint32_t step_colour(const void *user, uint32_t face, const double weight
     const step_look *look = user;
     uint32_t stage = look->guide->stage[face];
     (void)weights;
-    if (stage == look->step)
-        return KTG_GUIDE_NOW;
-    return stage < look->step ? KTG_GUIDE_BEFORE : KTG_GUIDE_OPEN;
+    return ktg_drawing_colour(look->guide->drawing, stage == look->step  ? KTG_GUIDE_NOW
+                                                    : stage < look->step ? KTG_GUIDE_BEFORE
+                                                                         : KTG_GUIDE_OPEN);
 }
 
 /* Folds are pale; seams glued before are dark, those still open are pale, those of the step are
@@ -52,36 +47,6 @@ static ktg_line_look step_line(const void *user, uint32_t face, uint32_t side) {
     uint32_t seam = look->guide->seam_of[h];
     uint32_t section = seam < pattern->seam_count ? pattern->seams[seam].section : 0;
     return section < look->step ? (ktg_line_look){0.12, 0.35} : (ktg_line_look){0.1, 0.55};
-}
-
-static uint32_t model_colour(const void *user, uint32_t face, const double weights[3]) {
-    const ktg_build_guide *guide = user;
-    uint32_t piece = guide->piece_of[face];
-    (void)weights;
-    if (guide->drawing->pattern->piece_count == 1 || piece == KTG_NONE)
-        return 0xf6efe0;
-    return guide->tints[piece];
-}
-
-static ktg_line_look model_line(const void *user, uint32_t face, uint32_t side) {
-    const ktg_build_guide *guide = user;
-    size_t h = 3 * (size_t)face + side;
-    const ktg_pattern *pattern = guide->drawing->pattern;
-    switch ((ktg_side_kind)guide->sides[h]) {
-    case KTG_SIDE_FLAT:
-        return (ktg_line_look){0, 0};
-    case KTG_SIDE_FOLD:
-        return (ktg_line_look){0.03, 0.6};
-    case KTG_SIDE_BORDER:
-        return (ktg_line_look){0.25, 0.2};
-    case KTG_SIDE_SEAM:
-        break;
-    }
-    uint32_t seam = guide->seam_of[h];
-    if (seam >= pattern->seam_count)
-        return (ktg_line_look){0.12, 0.3};
-    const ktg_pattern_seam *s = &pattern->seams[seam];
-    return s->pieces[0] != s->pieces[1] ? (ktg_line_look){0.3, 0} : (ktg_line_look){0.15, 0.15};
 }
 
 /* ---- seams over the picture --------------------------------------------------------------- */
@@ -196,12 +161,6 @@ static ktg_area frame_of(const ktg_build_guide *g, const ktg_step *step, const k
                       fmin(seen.x1, middle.x + half), fmin(seen.y1, middle.y + half)};
 }
 
-/* A margin around what is seen, so that nothing has no extent. */
-static ktg_area widen(ktg_area seen) {
-    double margin = 0.015 * fmax(seen.x1 - seen.x0, seen.y1 - seen.y0);
-    return (ktg_area){seen.x0 - margin, seen.y0 - margin, seen.x1 + margin, seen.y1 + margin};
-}
-
 /* A small picture of the whole body in the upper right corner; *taken is where. */
 static ktg_status draw_inset(const ktg_build_guide *g, const step_look *look, const ktg_eye *eye,
                              ktg_area seen, cairo_t *cairo, ktg_area area, ktg_area *taken) {
@@ -253,9 +212,6 @@ ktg_status ktg_guide_draw_step(ktg_build_guide *guide, uint32_t step, int eye, c
     ktg_guide_show_pieces(guide, step);
     if (!ktg_view_extent(pattern, guide->shown, from, &seen))
         return KTG_OK;
-    seen = widen(seen);
-    if (!(seen.x1 > seen.x0))
-        return KTG_OK;
     ktg_area frame = frame_of(guide, &guide->steps[step], from, seen);
     double shown = fmax(frame.x1 - frame.x0, frame.y1 - frame.y0);
     bool inset = shown < INSET * fmax(seen.x1 - seen.x0, seen.y1 - seen.y0);
@@ -263,7 +219,7 @@ ktg_status ktg_guide_draw_step(ktg_build_guide *guide, uint32_t step, int eye, c
                                          frame, &look, cairo, area, &picture);
     if (status == KTG_OK && inset)
         status = draw_inset(guide, &user, from, seen, cairo, area, &taken);
-    if (status == KTG_OK)
+    if (status == KTG_OK && picture.view.faces)
         status =
             draw_seams(guide, &guide->steps[step], &picture, cairo, area, inset ? &taken : NULL);
     ktg_view_drop(&picture.view);
@@ -271,72 +227,6 @@ ktg_status ktg_guide_draw_step(ktg_build_guide *guide, uint32_t step, int eye, c
 }
 
 /* ---- the finished model ------------------------------------------------------------------- */
-
-/* Of each piece: how many dots are seen, their middle, and the dot nearest to that. */
-typedef struct sight {
-    uint32_t piece, dots;
-    double x, y, away;
-    ktg_vec2 nearest;
-} sight;
-
-static int by_dots(const void *left, const void *right) {
-    const sight *a = left, *b = right;
-    if (a->dots != b->dots)
-        return a->dots > b->dots ? -1 : 1;
-    return (a->piece > b->piece) - (a->piece < b->piece);
-}
-
-static void measure_dot(sight *at, int x, int y, bool nearest) {
-    if (!nearest) {
-        at->dots++;
-        at->x += x;
-        at->y += y;
-        return;
-    }
-    double dx = x - at->x / at->dots, dy = y - at->y / at->dots, away = dx * dx + dy * dy;
-    if (away < at->away) {
-        at->away = away;
-        at->nearest = (ktg_vec2){x + 0.5, y + 0.5};
-    }
-}
-
-static void measure_pieces(const ktg_build_guide *g, const ktg_view *view, sight *sights) {
-    for (uint32_t p = 0; p < g->drawing->pattern->piece_count; p++)
-        sights[p] = (sight){.piece = p, .away = INFINITY};
-    for (int nearest = 0; nearest < 2; nearest++)
-        for (int y = 0; y < view->height; y++)
-            for (int x = 0; x < view->width; x++) {
-                uint32_t face = view->faces[(size_t)y * (size_t)view->width + (size_t)x];
-                if (face != KTG_NONE && g->piece_of[face] != KTG_NONE)
-                    measure_dot(&sights[g->piece_of[face]], x, y, nearest);
-            }
-}
-
-static ktg_status write_names(const ktg_build_guide *g, const ktg_picture *picture, cairo_t *cairo,
-                              ktg_area area) {
-    const ktg_pattern *pattern = g->drawing->pattern;
-    sight *sights = ktg_new(g->drawing->context, pattern->piece_count, sight);
-    ktg_callout *callouts = ktg_new(g->drawing->context, pattern->piece_count, ktg_callout);
-    size_t count = 0;
-    if (sights && callouts) {
-        measure_pieces(g, &picture->view, sights);
-        qsort(sights, pattern->piece_count, sizeof *sights, by_dots);
-        for (size_t i = 0; i < pattern->piece_count && sights[i].dots * picture->mm > 1.5; i++) {
-            ktg_callout *c = &callouts[count++];
-            c->at = ktg_picture_point(picture, sights[i].nearest);
-            if (pattern->component_count == 1)
-                ktg_drawing_piece_part(g->drawing, sights[i].piece, c->text);
-            else
-                ktg_drawing_piece_name(g->drawing, sights[i].piece, c->text);
-        }
-        ktg_callouts_place(cairo, callouts, count, NAME_MM, area, NULL, 0);
-        ktg_callouts_draw(cairo, callouts, count, NAME_MM, KTG_FACE_PLAIN);
-    }
-    ktg_status status = sights && callouts ? KTG_OK : KTG_MEMORY;
-    ktg_free(sights);
-    ktg_free(callouts);
-    return status;
-}
 
 static ktg_status write_numbers(const ktg_build_guide *g, const ktg_picture *picture,
                                 cairo_t *cairo, ktg_area area) {
@@ -358,22 +248,10 @@ static ktg_status write_numbers(const ktg_build_guide *g, const ktg_picture *pic
 
 ktg_status ktg_guide_draw_model(const ktg_build_guide *guide, cairo_t *cairo, ktg_area area,
                                 bool from_behind) {
-    const ktg_pattern *pattern = guide->drawing->pattern;
-    ktg_look look = {guide, model_colour, model_line, 0.25};
-    ktg_eye eye =
-        ktg_eye_at(guide->drawing->options.up, KTG_PI / 5 + (from_behind ? KTG_PI : 0), 0.35);
-    ktg_area seen;
     ktg_picture picture;
-    if (!ktg_view_extent(pattern, NULL, &eye, &seen))
-        return KTG_OK;
-    seen = widen(seen);
-    if (!(seen.x1 > seen.x0))
-        return KTG_OK;
-    ktg_status status = ktg_picture_draw(guide->drawing->context, pattern, NULL, &eye, seen, &look,
-                                         cairo, area, &picture);
-    if (status == KTG_OK)
-        status = pattern->piece_count > 1 ? write_names(guide, &picture, cairo, area)
-                                          : write_numbers(guide, &picture, cairo, area);
+    ktg_status status = ktg_solid_picture(guide->drawing, cairo, area, from_behind, &picture);
+    if (status == KTG_OK && picture.view.faces && guide->drawing->pattern->piece_count == 1)
+        status = write_numbers(guide, &picture, cairo, area);
     ktg_view_drop(&picture.view);
     return status;
 }

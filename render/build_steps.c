@@ -204,37 +204,6 @@ static ktg_status find_stages(ktg_build_guide *g) {
     return status;
 }
 
-/* ---- colours of pieces -------------------------------------------------------------------- */
-
-/* Pale, told apart by those who see few colours, and in grey by their brightness. */
-static const uint32_t tints[] = {0xfbe3a4, 0xa9d3ee, 0xf2c3a0, 0xbfe3c9,
-                                 0xd9c4e6, 0xf4f0d6, 0x9fc3b4, 0xe8b8c4};
-#define TINTS (sizeof tints / sizeof *tints)
-
-/* Each piece takes the colour that its neighbours, and others so far, have least. */
-static ktg_status choose_tints(ktg_build_guide *g) {
-    const ktg_pattern *pattern = g->drawing->pattern;
-    uint32_t(*near)[TINTS] = ktg_alloc(g->drawing->context, pattern->piece_count, sizeof *near);
-    uint32_t used[TINTS] = {0};
-    if (!near)
-        return KTG_MEMORY;
-    for (uint32_t p = 0; p < pattern->piece_count; p++) {
-        uint32_t best = 0;
-        for (uint32_t k = 1; k < TINTS; k++)
-            if (near[p][k] < near[p][best] || (near[p][k] == near[p][best] && used[k] < used[best]))
-                best = k;
-        used[best]++;
-        g->tints[p] = tints[best];
-        for (size_t s = 0; s < pattern->seam_count; s++) {
-            const uint32_t *pieces = pattern->seams[s].pieces;
-            if (pieces[0] == p || pieces[1] == p)
-                near[pieces[pieces[0] == p]][best]++;
-        }
-    }
-    ktg_free(near);
-    return KTG_OK;
-}
-
 /* ---- the whole ---------------------------------------------------------------------------- */
 
 /* The fewest seams a step must have for a picture, so that there are not too many. */
@@ -261,12 +230,10 @@ static ktg_status make_room(ktg_build_guide *g) {
     g->stage = ktg_new(context, p->face_count, uint32_t);
     g->sides = ktg_new(context, 3 * (size_t)p->face_count, uint8_t);
     g->seam_of = ktg_new(context, 3 * (size_t)p->face_count, uint32_t);
-    g->tints = ktg_new(context, p->piece_count, uint32_t);
     g->shown = ktg_new(context, p->face_count, bool);
     g->is_told = ktg_new(context, p->seam_count, bool);
     if (!g->steps || !g->seams_in || !g->low || !g->high || !g->piece_of || !g->part_of ||
-        !g->first_step || !g->stage || !g->sides || !g->seam_of || !g->tints || !g->shown ||
-        !g->is_told)
+        !g->first_step || !g->stage || !g->sides || !g->seam_of || !g->shown || !g->is_told)
         return KTG_MEMORY;
     for (size_t f = 0; f < p->face_count; f++)
         g->piece_of[f] = KTG_NONE;
@@ -284,8 +251,7 @@ ktg_status ktg_guide_find_steps(ktg_build_guide *g) {
     fill_steps(g);
     limit_pictures(g);
     KTG_TRY(find_followed(g));
-    KTG_TRY(find_stages(g));
-    return choose_tints(g);
+    return find_stages(g);
 }
 
 void ktg_build_guide_free(ktg_build_guide **guide) {
@@ -302,7 +268,6 @@ void ktg_build_guide_free(ktg_build_guide **guide) {
     ktg_free(g->stage);
     ktg_free(g->sides);
     ktg_free(g->seam_of);
-    ktg_free(g->tints);
     ktg_free(g->shown);
     ktg_free(g->is_told);
     ktg_free(g);

@@ -63,10 +63,12 @@ typedef struct ktg_drawing {
     size_t joint_count;
     ktg_joint_mark *joints;
     unsigned kinds;        /* which strokes occur, as bits */
-    const uint32_t *tints; /* of the surface's faces in pictures of solids, 0xRRGGBB; NULL: white */
+    const uint32_t *tints; /* of the surface's faces in pictures of solids, 0xRRGGBB; NULL: ... */
+    uint32_t *piece_tints; /* ... those of their pieces; NULL: white */
 } ktg_drawing;
 
-/* ---- options.c, folds.c, joints.c --------------------------------------------------------- */
+/* ---- options.c, folds.c, joints.c, piece_tints.c
+ * --------------------------------------------------------- */
 
 /* Checks that `pattern` can be drawn (finished, laid out, indices in range) and collects what all
  * sheets share. Free with ktg_drawing_free. */
@@ -82,6 +84,11 @@ void ktg_drawing_free(ktg_drawing **drawing);
 KTG_NODISCARD ktg_status ktg_drawing_find_folds(ktg_drawing *drawing);
 /* Fills joints: the edges without a tab, where there are tabs at all. */
 KTG_NODISCARD ktg_status ktg_drawing_find_joints(ktg_drawing *drawing);
+
+/* Fills piece_tints: neighbours differ. */
+KTG_NODISCARD ktg_status ktg_drawing_find_tints(ktg_drawing *drawing);
+/* The colour 0xRRGGBB, or a grey as bright where no colours are wished for. */
+uint32_t ktg_drawing_colour(const ktg_drawing *drawing, uint32_t colour);
 
 /* place[f] becomes face f's index within its piece. */
 void ktg_drawing_fill_places(const ktg_pattern *pattern, uint32_t *place);
@@ -349,8 +356,7 @@ ktg_vec2 ktg_map_size(const ktg_drawing *drawing, uint32_t poster);
 void ktg_map_draw(const ktg_drawing *drawing, cairo_t *cairo, uint32_t poster, ktg_vec2 corner,
                   double scale);
 
-/* Whether a picture of the finished model helps: of paper, in several pieces, not of too many
- * faces. */
+/* Whether a picture of the finished model helps: of paper, in several pieces. */
 bool ktg_solid_is_wanted(const ktg_drawing *drawing);
 /* The model in a square, seen from the front, or from behind, a little from the right and above. */
 KTG_NODISCARD ktg_status ktg_solid_draw(const ktg_drawing *drawing, cairo_t *cairo, ktg_area area,

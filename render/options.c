@@ -107,6 +107,8 @@ ktg_status ktg_drawing_new(ktg_context *context, const ktg_pattern *pattern,
         status = ktg_drawing_find_folds(made);
     if (status == KTG_OK)
         status = ktg_drawing_find_joints(made);
+    if (status == KTG_OK)
+        status = ktg_drawing_find_tints(made);
     if (status != KTG_OK) {
         ktg_drawing_free(&made);
         return status;
@@ -133,6 +135,7 @@ void ktg_drawing_free(ktg_drawing **drawing) {
     ktg_free((*drawing)->first_fold);
     ktg_free((*drawing)->folds);
     ktg_free((*drawing)->joints);
+    ktg_free((*drawing)->piece_tints);
     ktg_free(*drawing);
     *drawing = NULL;
 }

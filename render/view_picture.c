@@ -7,7 +7,8 @@
 
 #define DOTS_PER_MM 7.874 /* 200 in an inch */
 #define OVERSAMPLE  3
-#define STEP_DOTS   4.0 /* a step in depth from dot to dot that tells two faces apart */
+#define MARGIN      0.01 /* of the picture, so that lines at its edge are whole */
+#define STEP_DOTS   4.0  /* a step in depth from dot to dot that tells two faces apart */
 
 /* Light from above, a little from the left; what it does not reach is not dark. */
 #define LIGHT_RIGHT  (-0.35)
@@ -232,6 +233,8 @@ static void place_image(cairo_t *cairo, cairo_surface_t *image, ktg_vec2 corner,
 ktg_status ktg_picture_draw(ktg_context *context, const ktg_pattern *pattern, const bool *shown,
                             const ktg_eye *eye, ktg_area frame, const ktg_look *look,
                             cairo_t *cairo, ktg_area area, ktg_picture *picture) {
+    double margin = MARGIN * fmax(frame.x1 - frame.x0, frame.y1 - frame.y0);
+    frame = (ktg_area){frame.x0 - margin, frame.y0 - margin, frame.x1 + margin, frame.y1 + margin};
     double wide = frame.x1 - frame.x0, high = frame.y1 - frame.y0;
     double mm = fmin((area.x1 - area.x0) / wide, (area.y1 - area.y0) / high); /* for a unit */
     double dots = dots_of(cairo), fine = dots * OVERSAMPLE;
@@ -239,6 +242,8 @@ ktg_status ktg_picture_draw(ktg_context *context, const ktg_pattern *pattern, co
     *picture = (ktg_picture){
         .corner = {(area.x0 + area.x1 - mm * wide) / 2, (area.y0 + area.y1 - mm * high) / 2},
         .mm = 1 / fine};
+    if (!(wide > 0))
+        return KTG_OK; /* all in one point */
     KTG_TRY(ktg_view_look(context, pattern, shown, eye, frame, mm * fine, &picture->view));
     KTG_TRY(ktg_view_picture(context, &picture->view, look, OVERSAMPLE, fine, &image));
     place_image(cairo, image, picture->corner, dots);
