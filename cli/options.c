@@ -285,6 +285,12 @@ static bool set_dpi(settings *s, const char *text) {
     return parse_number(text, 10, 2400, &s->pipeline.render.dots_per_inch);
 }
 
+static bool set_no_guide(settings *s, const char *text) {
+    (void)text;
+    s->pipeline.render.guide = false;
+    return true;
+}
+
 static bool set_black(settings *s, const char *text) {
     (void)text;
     s->pipeline.render.colour = false;
@@ -573,6 +579,8 @@ const option_line cli_option_lines[] = {
     {"threads", 0, "N", CMD_UNFOLD, false, set_threads,
      "processors to use at most (all); the net is the same for any number"},
     {"time", 0, "SECONDS", CMD_UNFOLD, false, set_time, "stop searching after that time"},
+    {"no-guide", 0, NULL, CMD_UNFOLD, false, set_no_guide,
+     "leave out the PDF's pages that tell how to build the model"},
     {"black", 0, NULL, PAPER | CMD_WARP, false, set_black, "no colours"},
     {"dpi", 0, "N", PAPER | CMD_WARP, false, set_dpi, "resolution of PNG pictures (150)"},
     {"svg-unit", 0, "mm|px72|px96", PAPER, false, set_svg_unit,
