@@ -90,9 +90,9 @@ KTG_API KTG_NODISCARD ktg_status ktg_mesh_read(ktg_context *context, const char 
                                                ktg_mesh_format format, ktg_mesh **mesh);
 
 /* Appends the model to an output, in the format of its path's ending (or `format`): OBJ with
- * everything the mesh holds but colours of faces, binary STL, ASCII PLY (positions, triangles and
- * colours), OFF (positions and triangles). Numbers read
- * back to the same double (STL: float). Input polygons are not restored: triangles are written. */
+ * everything the mesh holds but colours of faces, binary STL, ASCII PLY (positions, triangles,
+ * colours, texture coordinates, texture_file), OFF (positions and triangles). Numbers read back to
+ * the same double (STL: float). Input polygons are not restored: triangles are written. */
 KTG_API KTG_NODISCARD ktg_status ktg_mesh_write(ktg_context *context, const ktg_mesh *mesh,
                                                 ktg_mesh_format format, ktg_output *output);
 
