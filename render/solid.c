@@ -4,13 +4,15 @@
 
 #include "core/memory.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
-#define MOST_EDGED 20000 /* faces: of more, folds would be all one sees */
-#define NAME_MM    1.9
-#define LEAST_MM   1.5  /* pieces of which one sees a smaller square have no name */
-#define TURN       0.55 /* radians: the eye is so far to the right of the front ... */
-#define RISE       0.4  /* ... and above */
+#define MOST_EDGED  20000 /* faces: of more, folds would be all one sees */
+#define NAME_MM     1.9
+#define MANY_PIECES 10   /* then "2 of 12" is only called 2 */
+#define LEAST_MM    1.5  /* pieces of which one sees a smaller square have no name */
+#define TURN        0.55 /* radians: the eye is so far to the right of the front ... */
+#define RISE        0.4  /* ... and above */
 
 /* What is drawn along a face's side. */
 typedef enum side_look { SIDE_PLAIN, SIDE_FOLD, SIDE_CUT, SIDE_PIECE } side_look;
@@ -115,7 +117,9 @@ static void measure_pieces(const solid *s, const ktg_view *view, sight *sights) 
 }
 
 static void name_piece(const ktg_drawing *drawing, uint32_t piece, ktg_callout *callout) {
-    if (drawing->pattern->component_count == 1)
+    if (drawing->pattern->component_count == 1 && drawing->pattern->piece_count >= MANY_PIECES)
+        snprintf(callout->text, sizeof callout->text, "%u", piece + 1);
+    else if (drawing->pattern->component_count == 1)
         ktg_drawing_piece_part(drawing, piece, callout->text);
     else
         ktg_drawing_piece_name(drawing, piece, callout->text);
