@@ -135,6 +135,26 @@ static ktg_status find_ways(ktg_context *context, opening *o, bool closed) {
     return closed ? root_far_away(context, o) : KTG_OK;
 }
 
+/* The shortest edge at a vertex that is not `taken`. */
+static uint32_t shortest_but(const ktg_sheet *s, uint32_t v, uint32_t taken) {
+    uint32_t best = KTG_NONE;
+    for (uint32_t i = s->first[v]; i < s->first[v + 1]; i++) {
+        uint32_t edge = s->around[i];
+        if (edge != taken && (best == KTG_NONE || s->cost[edge] < s->cost[best]))
+            best = edge;
+    }
+    return best;
+}
+
+/* A sphere is slit from end to end. One edge alone would open nothing, as both its ends lie inside:
+ * where they are neighbours, as on a tetrahedron, the slit goes on by another edge. */
+static void cut_slit(const opening *o, const ktg_adjacency *adjacency, bool *cut) {
+    uint32_t far = farthest(o), way = o->via[far];
+    cut_way(o, adjacency, far, false, cut);
+    if (o->via[ktg_sheet_other_end(o->sheet, way, far)] == KTG_NONE)
+        cut[edge_of(o, adjacency, shortest_but(o->sheet, far, way))] = true;
+}
+
 static bool has_border(const ktg_sheet *s) {
     for (uint32_t v = 0; v < s->mesh->vertex_count; v++)
         if (s->border[v])
@@ -156,8 +176,8 @@ static ktg_status open_once(ktg_context *context, const ktg_adjacency *adjacency
     bool closed = !has_border(o->sheet);
     KTG_TRY(find_ways(context, o, closed));
     uint32_t count = find_loops(o);
-    if (count == 0) { /* a sphere: slit from end to end */
-        cut_way(o, adjacency, farthest(o), false, cut);
+    if (count == 0) {
+        cut_slit(o, adjacency, cut);
         return KTG_OK;
     }
     uint32_t first = count > most_single_loops && !closed ? 0 : count - 1;

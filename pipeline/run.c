@@ -79,6 +79,8 @@ static ktg_status repair(ktg_context *context, const ktg_pipeline_options *optio
     ktg_progress(context, "repair", 0, NULL);
     KTG_TRY(ktg_mesh_repair(context, mesh, &report->repair));
     tell_repair(context, &report->repair);
+    double extent;
+    KTG_TRY(ktg_mesh_check_extent(context, mesh, &extent));
     KTG_TRY(simplify(context, options, mesh, report));
     ktg_mesh_report surface;
     KTG_TRY(ktg_mesh_check(context, mesh, true, &surface));
