@@ -24,7 +24,7 @@ static bool differ_in_colour(const uint8_t *colours, size_t f, size_t g) {
 
 static bool is_uv_seam(const ktg_simplify *s, uint32_t h, uint32_t twin) {
     return s->uv.kept &&
-           !ktg_uv_joined(s, h / 3, twin / 3, s->faces[h], s->faces[ktg_halfedge_next(h)]);
+           ktg_uv_seam(s, h / 3, twin / 3, s->faces[h], s->faces[ktg_halfedge_next(h)]);
 }
 
 /* The weight of the plane that stands on a half-edge, 0 for none. */
