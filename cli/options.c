@@ -314,6 +314,23 @@ static bool set_plain_dxf(settings *s, const char *text) {
     return s->pipeline.render.plain_dxf = true;
 }
 
+static bool set_texture(settings *s, const char *text) {
+    (void)text;
+    s->pipeline.colours = KTG_COLOURS_ON;
+    return true;
+}
+
+static bool set_no_texture(settings *s, const char *text) {
+    (void)text;
+    s->pipeline.colours = KTG_COLOURS_OFF;
+    return true;
+}
+
+static bool set_textures_anywhere(settings *s, const char *text) {
+    (void)text;
+    return s->pipeline.textures_anywhere = true;
+}
+
 static bool set_registration(settings *s, const char *text) {
     (void)text;
     return s->pipeline.render.registration = true;
@@ -572,6 +589,11 @@ const option_line cli_option_lines[] = {
      "SVG, DXF: dashes are short lines of their own, for cutters that know no others"},
     {"plain-dxf", 0, NULL, CMD_FLATTEN, false, set_plain_dxf,
      "a DXF for cutters, one for each sheet, instead of one for garment CAD (ASTM D6673)"},
+    {"texture", 0, NULL, PAPER, false, set_texture,
+     "print the model's images and colours, also where it has one colour all over, or is cloth"},
+    {"no-texture", 0, NULL, PAPER, false, set_no_texture, "leave the faces white"},
+    {"textures-anywhere", 0, NULL, PAPER, false, set_textures_anywhere,
+     "read images and material files outside the model's folder, too"},
     {"registration", 0, NULL, PAPER, false, set_registration,
      "marks in the margins by which a cutter finds the print"},
     {"report", 0, "FILE.json", PAPER | CMD_DEFORM, false, set_report,

@@ -105,11 +105,14 @@ typedef struct ktg_area {
 } ktg_area;
 
 /* One sheet being drawn. */
+typedef struct ktg_colours ktg_colours;
+
 typedef struct ktg_page {
     const ktg_drawing *drawing;
     const ktg_pattern_sheet *sheet;
     size_t number; /* from 0 */
     cairo_t *cairo;
+    ktg_colours *colours; /* what lies under all else, or NULL */
 } ktg_page;
 
 /* The motion from a placed piece to its sheet (y up), and from there to the page. */
@@ -126,6 +129,22 @@ ktg_area ktg_page_printable(const ktg_page *page);
  */
 KTG_NODISCARD ktg_status ktg_page_draw(const ktg_drawing *drawing, size_t sheet, cairo_t *cairo,
                                        bool *furnished);
+
+/* ---- colours_draw.c ----------------------------------------------------------------------- */
+
+/* Makes the page's colours, where there are any, and draws them; free page->colours with
+ * ktg_colours_free also after a failure. */
+KTG_NODISCARD ktg_status ktg_colours_begin(ktg_page *page);
+/* The mean colour (0 to 1) along a line of the page; false where it is white paper. */
+bool ktg_ground_of(const ktg_page *page, ktg_vec2 from, ktg_vec2 to, double rgb[3]);
+bool ktg_ground_is_dark(const double rgb[3]);
+/* On colours, a fold is drawn with what is seen there: black or white, the ground showing through.
+ */
+void ktg_ground_set_fold_ink(const ktg_page *page, ktg_vec2 from, ktg_vec2 to);
+/* The colours as a surface of cairo's; `packed`: with a JPEG of them, where they are a picture.
+ * Free with cairo_surface_destroy. */
+KTG_NODISCARD ktg_status ktg_colours_surface(const ktg_drawing *drawing, const ktg_colours *colours,
+                                             bool packed, cairo_surface_t **surface);
 
 /* ---- lines.c, joints.c, labels.c ---------------------------------------------------------- */
 
@@ -206,8 +225,10 @@ void ktg_text_draw(cairo_t *cairo, double x, double baseline, const char *text);
 /* A short text with its middle at the origin, which is turned by `angle` counter-clockwise against
  * the page. */
 void ktg_number_draw(cairo_t *cairo, double angle, double digit_mm, const char *text);
-/* The white ground of that text: a stroke of the given width around its letters. */
+/* The ground of that text: a stroke of the given width around its letters; white, or in the colour
+ * that is set. */
 void ktg_text_ground(cairo_t *cairo, double x, double baseline, const char *text, double width);
+void ktg_text_halo(cairo_t *cairo, double x, double baseline, const char *text, double width);
 /* `text` shortened with an ellipsis until it is at most `width` wide; "" when not even that fits.
  * `text` is clean and is changed in place; `size` is what its array holds. */
 void ktg_text_shorten(cairo_t *cairo, double width, char *text, size_t size);

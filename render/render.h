@@ -3,6 +3,7 @@
 #define KTG_RENDER_RENDER_H
 
 #include "core/core.h"
+#include "paint/paint.h"
 #include "pattern/pattern.h"
 
 #ifdef __cplusplus
@@ -34,8 +35,12 @@ typedef struct ktg_render_options {
     double strain_limit;   /* of that page's colours; 0.05 */
     ktg_svg_unit svg_unit; /* millimetres */
     bool real_dashes;      /* SVG, DXF: dashes are short paths of their own; default false */
-    bool plain_dxf;    /* of cloth too, a DXF is for cutters, not for garment CAD; default false */
-    bool marker;       /* a roll is fabric: its edges, width and length are drawn; default false */
+    bool plain_dxf; /* of cloth too, a DXF is for cutters, not for garment CAD; default false */
+    bool marker;    /* a roll is fabric: its edges, width and length are drawn; default false */
+    const ktg_paint *paint; /* what the faces look like (ktg_paint_lay, onto the faces of the
+                               pattern's surface), borrowed; NULL: they stay white. Folds are
+                               black or white then, whatever is seen better */
+    double bleed_mm;        /* how far colours reach beyond the edges of faces; 1.5 */
     bool registration; /* marks in the margins by which a cutter finds the print; default false */
 } ktg_render_options;
 

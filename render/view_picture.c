@@ -93,17 +93,25 @@ static void draw_ink(const inking *in) {
 
 /* ---- colours ------------------------------------------------------------------------------ */
 
-/* The weights of the face's corners at a point of the picture, in dots. */
-static void weigh_corners(const ktg_view *view, uint32_t face, ktg_vec2 at, double weights[3]) {
+/* Where on its face a point of the picture, in dots, lies; `step` dots make one of the image. */
+static ktg_seen_dot find_dot(const ktg_view *view, uint32_t face, ktg_vec2 at, int step) {
     const uint32_t *v = &view->pattern->faces[3 * (size_t)face];
     ktg_vec2 a = ktg_view_dot(view, view->pattern->vertices[v[0]]);
     ktg_vec2 b = ktg_sub2(ktg_view_dot(view, view->pattern->vertices[v[1]]), a);
     ktg_vec2 c = ktg_sub2(ktg_view_dot(view, view->pattern->vertices[v[2]]), a);
     ktg_vec2 p = ktg_sub2(at, a);
     double area = ktg_cross2(b, c);
-    weights[1] = ktg_cross2(p, c) / area;
-    weights[2] = ktg_cross2(b, p) / area;
-    weights[0] = 1 - weights[1] - weights[2];
+    ktg_seen_dot dot = {.face = face, .is_inside = area > 0}; /* y is down */
+    dot.weights[1] = ktg_cross2(p, c) / area;
+    dot.weights[2] = ktg_cross2(b, p) / area;
+    dot.weights[0] = 1 - dot.weights[1] - dot.weights[2];
+    dot.right[1] = step * c.y / area;
+    dot.right[2] = -step * b.y / area;
+    dot.down[1] = -step * c.x / area;
+    dot.down[2] = step * b.x / area;
+    dot.right[0] = -dot.right[1] - dot.right[2];
+    dot.down[0] = -dot.down[1] - dot.down[2];
+    return dot;
 }
 
 /* How bright a face is. */
@@ -129,11 +137,17 @@ typedef struct painting {
     int oversample;
 } painting;
 
-/* Adds a dot of the view: red, green, blue, and that something is there. */
-static void add_dot(const painting *p, int x, int y, double sum[4]) {
+/* A dot of the image while it is mixed. */
+typedef struct mixture {
+    double sum[4];         /* red, green, blue, and how often something is there */
+    uint32_t face, colour; /* the last face, and its colour here */
+} mixture;
+
+/* Adds a dot of the view. */
+static void add_dot(const painting *p, int x, int y, mixture *m) {
     size_t at = (size_t)y * (size_t)p->view->width + (size_t)x;
-    uint32_t face = p->view->faces[at], colour = 0xffffff;
-    double weights[3];
+    uint32_t face = p->view->faces[at];
+    double *sum = m->sum;
     if (p->ink[at] != NO_INK) {
         for (int k = 0; k < 3; k++)
             sum[k] += p->ink[at];
@@ -142,25 +156,26 @@ static void add_dot(const painting *p, int x, int y, double sum[4]) {
     }
     if (face == KTG_NONE)
         return;
-    if (p->look->colour) {
-        weigh_corners(p->view, face, (ktg_vec2){x + 0.5, y + 0.5}, weights);
-        colour = p->look->colour(p->look->user, face, weights);
+    if (face != m->face && p->look->colour) {
+        ktg_seen_dot dot = find_dot(p->view, face, (ktg_vec2){x + 0.5, y + 0.5}, p->oversample);
+        m->colour = p->look->colour(p->look->user, &dot);
     }
+    m->face = face;
     for (int k = 0; k < 3; k++)
-        sum[k] += (double)(colour >> (16 - 8 * k) & 255) * (double)p->shades[face];
+        sum[k] += (double)(m->colour >> (16 - 8 * k) & 255) * (double)p->shades[face];
     sum[3]++;
 }
 
 /* A dot of the image, its colour multiplied by how much of it is there. */
 static uint32_t mix_dot(const painting *p, int x, int y) {
-    double sum[4] = {0, 0, 0, 0};
+    mixture m = {{0, 0, 0, 0}, KTG_NONE, 0xffffff};
     int n = p->oversample;
     for (int j = n * y; j < n * y + n && j < p->view->height; j++)
         for (int i = n * x; i < n * x + n && i < p->view->width; i++)
-            add_dot(p, i, j, sum);
-    uint32_t dot = (uint32_t)lround(255 * sum[3] / (n * n));
+            add_dot(p, i, j, &m);
+    uint32_t dot = (uint32_t)lround(255 * m.sum[3] / (n * n));
     for (int k = 0; k < 3; k++)
-        dot = dot << 8 | (uint32_t)lround(sum[k] / (n * n));
+        dot = dot << 8 | (uint32_t)lround(m.sum[k] / (n * n));
     return dot;
 }
 
