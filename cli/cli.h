@@ -111,9 +111,6 @@ void cli_print_lines(FILE *stream, const char *text);
 
 /* ---- commands (cli/command_*.c) ----------------------------------------------------------- */
 
-/* True when both paths name one file, or would. */
-bool cli_same_file(const char *a, const char *b);
-
 /* What every command does around its work: reads the options, shows the help (`usage`, then the
  * options), makes a context, calls `run`, tells a failure. */
 exit_code cli_run(int argc, char **argv, int command, int most_arguments, const char *usage,

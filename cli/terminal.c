@@ -109,11 +109,15 @@ static void show_note(void *user, ktg_log_level level, const char *text) {
 /* What the caller wants ignored (nohup, a shell's background) stays ignored. */
 static void catch_signals(void) {
     static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
-    struct sigaction action = {.sa_handler = on_interrupt, .sa_flags = SA_RESTART}, before;
-    for (size_t i = 0; i < sizeof signals / sizeof *signals; i++)
+    for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) {
+        /* but for the first Ctrl-C, waiting for a file ends, too */
+        struct sigaction before, action = {.sa_handler = on_interrupt,
+                                           .sa_flags = signals[i] == SIGINT ? SA_RESTART : 0};
         if (sigaction(signals[i], NULL, &before) == 0 && before.sa_handler != SIG_IGN)
             sigaction(signals[i], &action, NULL);
-    signal(SIGPIPE, SIG_IGN); /* a closed pipe is a failed write, told like any other */
+    }
+    signal(SIGPIPE, SIG_IGN); /* a closed pipe is a failed write, told like any other, */
+    signal(SIGXFSZ, SIG_IGN); /* and so is a file that may not grow further */
 }
 
 static uint32_t processors(void) {
