@@ -1,11 +1,13 @@
 /* cli/command_info.c - katagami info: what is in a model, and what is wrong with it. */
 #include "cli/cli.h"
 
+#include <string.h>
+
 static const char usage[] = "usage: katagami info MODEL\n\n"
                             "Tells what a model file holds, how large it is, what is wrong with it "
                             "and what unfold would repair.\n\n";
 
-/* Components by name are listed up to this many. */
+/* Components and materials by name are listed up to this many. */
 #define MOST_LISTED 20
 
 static void print_size(const ktg_mesh_report *r) {
@@ -33,6 +35,57 @@ static void print_shape(const ktg_mesh_report *r) {
     printf("\narea          %.6g square units\n", r->area);
     if (r->volume != 0)
         printf("volume        %.6g cubic units\n", r->volume);
+}
+
+static void print_safely(const char *before, const char *text, const char *behind) {
+    fputs(before, stdout);
+    cli_print_safe(stdout, text);
+    fputs(behind, stdout);
+}
+
+/* Each line of `names`, with commas between them. */
+static void print_lines(const char *names) {
+    for (const char *at = names; *at;) {
+        size_t length = strcspn(at, "\n");
+        char line[256];
+        snprintf(line, sizeof line, "%.*s", (int)length, at);
+        print_safely(at == names ? "" : ", ", line, "");
+        at += length + (at[length] == '\n');
+    }
+    fputs("\n", stdout);
+}
+
+static void print_texture(const ktg_mesh *mesh) {
+    uint32_t faces = 0;
+    for (size_t f = 0; mesh->face_uv && f < mesh->face_count; f++) {
+        const uint32_t *uv = mesh->face_uv + 3 * f;
+        faces += uv[0] != KTG_NONE && uv[1] != KTG_NONE && uv[2] != KTG_NONE;
+    }
+    if (faces > 0)
+        printf("texture       coordinates at %u of %u faces\n", faces, mesh->face_count);
+    if (mesh->texture_file) {
+        fputs("  image       ", stdout);
+        print_lines(mesh->texture_file);
+    }
+}
+
+/* What a model brings to be printed in colour. */
+static void print_paint(const ktg_mesh *mesh) {
+    if (mesh->vertex_colours || mesh->face_colours)
+        printf("colours       of %s%s%s\n", mesh->vertex_colours ? "vertices" : "",
+               mesh->vertex_colours && mesh->face_colours ? " and " : "",
+               mesh->face_colours ? "faces" : "");
+    print_texture(mesh);
+    if (mesh->materials.count > 0)
+        printf("materials     %u", mesh->materials.count);
+    for (uint32_t m = 0; m < mesh->materials.count && m < MOST_LISTED; m++)
+        print_safely(m == 0 ? ": " : ", ", mesh->materials.text[m], "");
+    if (mesh->materials.count > 0)
+        fputs(mesh->materials.count > MOST_LISTED ? ", ...\n" : "\n", stdout);
+    if (mesh->material_library) {
+        fputs("  described in ", stdout);
+        print_lines(mesh->material_library);
+    }
 }
 
 static bool print_problem(uint32_t count, const char *one, const char *many) {
@@ -112,6 +165,7 @@ static ktg_status run(ktg_context *context, settings *s) {
     if (status == KTG_OK) {
         print_shape(&report);
         print_size(&report);
+        print_paint(mesh);
         print_problems(&report);
         status = ktg_about_file(context, s->arguments[0], ktg_mesh_repair(context, mesh, &repair));
     }

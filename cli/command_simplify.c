@@ -44,6 +44,12 @@ static ktg_status run(ktg_context *context, settings *s) {
             fprintf(stderr,
                     "warning: fewer faces would change the model's topology or fold it over%s\n",
                     mesh->marked_count > 0 ? ", or an edge that is marked (l)" : "");
+        if (simplify.faces_without_uv > 0)
+            fprintf(
+                stderr,
+                "warning: %u face%s over a seam of the texture and lost %s texture coordinates\n",
+                simplify.faces_without_uv, simplify.faces_without_uv == 1 ? " lies" : "s lie",
+                simplify.faces_without_uv == 1 ? "its" : "their");
     }
     ktg_output_discard(&output);
     ktg_mesh_free(&mesh);

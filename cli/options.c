@@ -286,6 +286,12 @@ static bool set_dpi(settings *s, const char *text) {
     return parse_number(text, 10, 2400, &s->pipeline.render.dots_per_inch);
 }
 
+static bool set_no_guide(settings *s, const char *text) {
+    (void)text;
+    s->pipeline.render.guide = false;
+    return true;
+}
+
 static bool set_black(settings *s, const char *text) {
     (void)text;
     s->pipeline.render.colour = false;
@@ -307,6 +313,23 @@ static bool set_real_dashes(settings *s, const char *text) {
 static bool set_plain_dxf(settings *s, const char *text) {
     (void)text;
     return s->pipeline.render.plain_dxf = true;
+}
+
+static bool set_texture(settings *s, const char *text) {
+    (void)text;
+    s->pipeline.colours = KTG_COLOURS_ON;
+    return true;
+}
+
+static bool set_no_texture(settings *s, const char *text) {
+    (void)text;
+    s->pipeline.colours = KTG_COLOURS_OFF;
+    return true;
+}
+
+static bool set_textures_anywhere(settings *s, const char *text) {
+    (void)text;
+    return s->pipeline.textures_anywhere = true;
 }
 
 static bool set_registration(settings *s, const char *text) {
@@ -557,6 +580,8 @@ const option_line cli_option_lines[] = {
     {"threads", 0, "N", CMD_UNFOLD, false, set_threads,
      "processors to use at most (all); the net is the same for any number"},
     {"time", 0, "SECONDS", CMD_UNFOLD, false, set_time, "stop searching after that time"},
+    {"no-guide", 0, NULL, CMD_UNFOLD, false, set_no_guide,
+     "leave out the PDF's pages that tell how to build the model"},
     {"black", 0, NULL, PAPER | CMD_WARP, false, set_black, "no colours"},
     {"dpi", 0, "N", PAPER | CMD_WARP, false, set_dpi, "resolution of PNG pictures (150)"},
     {"svg-unit", 0, "mm|px72|px96", PAPER, false, set_svg_unit,
@@ -565,6 +590,11 @@ const option_line cli_option_lines[] = {
      "SVG, DXF: dashes are short lines of their own, for cutters that know no others"},
     {"plain-dxf", 0, NULL, CMD_FLATTEN, false, set_plain_dxf,
      "a DXF for cutters, one for each sheet, instead of one for garment CAD (ASTM D6673)"},
+    {"texture", 0, NULL, PAPER, false, set_texture,
+     "print the model's images and colours, also where it has one colour all over, or is cloth"},
+    {"no-texture", 0, NULL, PAPER, false, set_no_texture, "leave the faces white"},
+    {"textures-anywhere", 0, NULL, PAPER, false, set_textures_anywhere,
+     "read images and material files outside the model's folder, too"},
     {"registration", 0, NULL, PAPER, false, set_registration,
      "marks in the margins by which a cutter finds the print"},
     {"report", 0, "FILE.json", PAPER | CMD_DEFORM, false, set_report,

@@ -135,26 +135,6 @@ static ktg_status find_ways(ktg_context *context, opening *o, bool closed) {
     return closed ? root_far_away(context, o) : KTG_OK;
 }
 
-/* The shortest edge at a vertex that is not `taken`. */
-static uint32_t shortest_but(const ktg_sheet *s, uint32_t v, uint32_t taken) {
-    uint32_t best = KTG_NONE;
-    for (uint32_t i = s->first[v]; i < s->first[v + 1]; i++) {
-        uint32_t edge = s->around[i];
-        if (edge != taken && (best == KTG_NONE || s->cost[edge] < s->cost[best]))
-            best = edge;
-    }
-    return best;
-}
-
-/* A sphere is slit from end to end. One edge alone would open nothing, as both its ends lie inside:
- * where they are neighbours, as on a tetrahedron, the slit goes on by another edge. */
-static void cut_slit(const opening *o, const ktg_adjacency *adjacency, bool *cut) {
-    uint32_t far = farthest(o), way = o->via[far];
-    cut_way(o, adjacency, far, false, cut);
-    if (o->via[ktg_sheet_other_end(o->sheet, way, far)] == KTG_NONE)
-        cut[edge_of(o, adjacency, shortest_but(o->sheet, far, way))] = true;
-}
-
 static bool has_border(const ktg_sheet *s) {
     for (uint32_t v = 0; v < s->mesh->vertex_count; v++)
         if (s->border[v])
@@ -169,6 +149,28 @@ static void cut_loop(const opening *o, const ktg_adjacency *adjacency, uint32_t 
         cut_way(o, adjacency, o->sheet->ends[2 * (size_t)edge + k], closed, cut);
 }
 
+/* The cheapest edge that leads on from one of two vertices. */
+static uint32_t way_on(const ktg_sheet *s, uint32_t one, uint32_t other) {
+    uint32_t best = KTG_NONE;
+    for (uint32_t e = 0; e < s->edge_count; e++) {
+        uint32_t a = s->ends[2 * (size_t)e], b = s->ends[2 * (size_t)e + 1];
+        bool from_a = a == one || a == other, from_b = b == one || b == other;
+        if (from_a != from_b && (best == KTG_NONE || s->cost[e] < s->cost[best]))
+            best = e;
+    }
+    return best;
+}
+
+/* Cuts a sphere from its root to the vertex farthest away. A slit of one edge opens nothing, as
+ * both its sides run between the same two vertices; it is made longer by an edge. */
+static void slit_sphere(const opening *o, const ktg_adjacency *adjacency, bool *cut) {
+    const ktg_sheet *s = o->sheet;
+    uint32_t far = farthest(o), next = ktg_sheet_other_end(s, o->via[far], far);
+    cut_way(o, adjacency, far, false, cut);
+    if (o->via[next] == KTG_NONE)
+        cut[edge_of(o, adjacency, way_on(s, far, next))] = true;
+}
+
 /* Nearer to a disk: by the shortest loop, as what is cut makes others shorter; by all of them at
  * once, which makes it a disk, where there are many. */
 static ktg_status open_once(ktg_context *context, const ktg_adjacency *adjacency, opening *o,
@@ -177,7 +179,7 @@ static ktg_status open_once(ktg_context *context, const ktg_adjacency *adjacency
     KTG_TRY(find_ways(context, o, closed));
     uint32_t count = find_loops(o);
     if (count == 0) {
-        cut_slit(o, adjacency, cut);
+        slit_sphere(o, adjacency, cut);
         return KTG_OK;
     }
     uint32_t first = count > most_single_loops && !closed ? 0 : count - 1;

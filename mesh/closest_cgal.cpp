@@ -22,6 +22,10 @@ Kernel::Point_3 point(const ktg_vec3 &p) {
     return Kernel::Point_3(p.x, p.y, p.z);
 }
 
+Kernel::Point_3 nearest_of(const Kernel::Triangle_3 &triangle, const Kernel::Point_3 &query) {
+    return Kernel().construct_projected_point_3_object()(triangle, query);
+}
+
 } // namespace
 
 struct ktg_closest {
@@ -57,7 +61,13 @@ extern "C" void ktg_closest_free(ktg_closest **closest) {
 extern "C" ktg_status ktg_closest_point(ktg_context *context, const ktg_closest *closest,
                                         ktg_vec3 query, ktg_vec3 *result, uint32_t *face) {
     return ktg_guard(context, "closest point", [&]() -> ktg_status {
-        auto found = closest->tree.closest_point_and_primitive(point(query));
+        auto near = closest->triangles.cbegin();
+        bool known = face && *face < closest->triangles.size();
+        if (known)
+            near += *face;
+        auto found = known ? closest->tree.closest_point_and_primitive(
+                                 point(query), {nearest_of(*near, point(query)), near})
+                           : closest->tree.closest_point_and_primitive(point(query));
         *result = ktg_vec3{found.first.x(), found.first.y(), found.first.z()};
         if (face)
             *face = static_cast<uint32_t>(found.second - closest->triangles.cbegin());

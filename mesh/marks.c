@@ -181,7 +181,7 @@ static void drop_vertices(ktg_mesh *mesh, uint32_t *renamed) {
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
         if (renamed[v])
             continue;
-        mesh->positions[kept] = mesh->positions[v];
+        ktg_repair_copy_vertex(mesh, v, kept);
         renamed[v] = kept++;
     }
     mesh->vertex_count = kept;

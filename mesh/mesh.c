@@ -28,6 +28,9 @@ void ktg_mesh_free(ktg_mesh **mesh) {
     ktg_names_free(&m->groups);
     ktg_names_free(&m->materials);
     ktg_free(m->material_library);
+    ktg_free(m->texture_file);
+    ktg_free(m->vertex_colours);
+    ktg_free(m->face_colours);
     ktg_free(m->uvs);
     ktg_free(m->face_uv);
     ktg_free(m->marked_edges);
@@ -63,6 +66,10 @@ static ktg_status array_copy(ktg_context *context, const void *from, size_t coun
     return KTG_OK;
 }
 
+static ktg_status text_copy(ktg_context *context, const char *from, char **to) {
+    return array_copy(context, from, from ? strlen(from) + 1 : 0, 1, to);
+}
+
 static ktg_status fill_copy(ktg_context *context, const ktg_mesh *m, ktg_mesh *c) {
     size_t faces = m->face_count, index = sizeof(uint32_t);
     c->vertex_count = m->vertex_count;
@@ -80,9 +87,11 @@ static ktg_status fill_copy(ktg_context *context, const ktg_mesh *m, ktg_mesh *c
     KTG_TRY(
         array_copy(context, m->marked_edges, 2 * (size_t)m->marked_count, index, &c->marked_edges));
     KTG_TRY(array_copy(context, m->marked_numbers, m->marked_count, index, &c->marked_numbers));
-    if (m->material_library)
-        KTG_TRY(array_copy(context, m->material_library, strlen(m->material_library) + 1, 1,
-                           &c->material_library));
+    KTG_TRY(
+        array_copy(context, m->vertex_colours, 3 * (size_t)m->vertex_count, 1, &c->vertex_colours));
+    KTG_TRY(array_copy(context, m->face_colours, 3 * faces, 1, &c->face_colours));
+    KTG_TRY(text_copy(context, m->material_library, &c->material_library));
+    KTG_TRY(text_copy(context, m->texture_file, &c->texture_file));
     KTG_TRY(names_copy(context, &m->objects, &c->objects));
     KTG_TRY(names_copy(context, &m->groups, &c->groups));
     return names_copy(context, &m->materials, &c->materials);

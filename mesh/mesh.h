@@ -36,7 +36,14 @@ typedef struct ktg_mesh {
     /* face_count indices into the name tables (KTG_NONE: none), or NULL. */
     uint32_t *face_object, *face_group, *face_material;
     ktg_names objects, groups, materials;
-    char *material_library; /* OBJ's mtllib as written there, or NULL */
+    char *material_library; /* OBJ's mtllib as written there, a line for each statement; or NULL */
+
+    /* The texture's file as a PLY names it ("comment TextureFile"), or NULL. Where it names
+     * several, a line for each, and face_material says which of them is a face's. */
+    char *texture_file;
+
+    uint8_t *vertex_colours; /* 3 vertex_count: red, green, blue as sRGB bytes, or NULL */
+    uint8_t *face_colours;   /* 3 face_count, likewise, or NULL */
 
     uint32_t uv_count;
     ktg_vec2 *uvs;     /* uv_count texture coordinates, or NULL */
@@ -70,8 +77,12 @@ typedef enum ktg_mesh_format {
 } ktg_mesh_format;
 
 /* Reads a model ("-": from standard input). OBJ: polygons, negative indices, groups, objects,
- * materials, texture coordinates, `l` elements. STL, ASCII and binary: vertices welded where they
- * coincide. PLY: ASCII and both binary orders. OFF. Polygons are cut into triangles (constrained
+ * materials, texture coordinates, colours behind a vertex's position, `l` elements. STL, ASCII and
+ * binary: vertices welded where they coincide. PLY, ASCII and both binary orders: colours of
+ * vertices and faces, texture coordinates of vertices or corners, the texture's name. OFF: colours
+ * of vertices and faces. Colours are numbers from 0 to 1, or to 255 where one of the file's is
+ * larger than 1; what is beyond that is clamped; what has none among others that have is white.
+ * Polygons are cut into triangles (constrained
  * Delaunay in their plane; a quadrangle along its better diagonal). Every face of the file is kept
  * or the call fails: KTG_FILE, KTG_FORMAT (with file, line and reason: truncated, index out of
  * range, not a number, NaN or infinite, no faces, a count the file cannot hold), KTG_LIMIT. */
@@ -79,8 +90,9 @@ KTG_API KTG_NODISCARD ktg_status ktg_mesh_read(ktg_context *context, const char 
                                                ktg_mesh_format format, ktg_mesh **mesh);
 
 /* Appends the model to an output, in the format of its path's ending (or `format`): OBJ with
- * everything the mesh holds, binary STL, ASCII PLY, OFF (positions and triangles). Numbers read
- * back to the same double (STL: float). Input polygons are not restored: triangles are written. */
+ * everything the mesh holds but colours of faces, binary STL, ASCII PLY (positions, triangles,
+ * colours, texture coordinates, texture_file), OFF (positions and triangles). Numbers read back to
+ * the same double (STL: float). Input polygons are not restored: triangles are written. */
 KTG_API KTG_NODISCARD ktg_status ktg_mesh_write(ktg_context *context, const ktg_mesh *mesh,
                                                 ktg_mesh_format format, ktg_output *output);
 
@@ -160,6 +172,10 @@ KTG_API KTG_NODISCARD ktg_status ktg_mesh_component_names(ktg_context *context,
                                                           const char *fallback, ktg_names *names);
 KTG_API void ktg_names_free(ktg_names *names);
 
+/* A name as the readers make it: control characters become "_", bytes that are not UTF-8 are taken
+ * for Latin-1. Free with ktg_free; NULL on KTG_MEMORY. */
+KTG_API char *ktg_mesh_clean_name(ktg_context *context, const char *name);
+
 /* Makes each connected component a group of its own, named as above, in place of the mesh's groups:
  * what is apart in a file can be told apart after ktg_mesh_repair has joined it. On failure the
  * mesh is as it was. */
@@ -221,9 +237,10 @@ typedef struct ktg_repair_report {
  * and closed components outwards, edges with more than two faces are split so that the pair that
  * forms the smoothest sheet stays together, vertices are split so that each has one fan. (An edge
  * that still has both its vertices in common with another gets a vertex in its middle, and its
- * faces become two each.) Object, group, material, polygon, texture coordinates and marked edges
- * follow. Self-intersections stay. A mesh with nothing to repair stays the same to the bit, and so
- * does a repaired one. KTG_GEOMETRY when no face is left; on failure the mesh is as it was. */
+ * faces become two each.) Object, group, material, polygon, texture coordinates, colours and marked
+ * edges follow; of vertices that become one the first one's colour stays. Self-intersections stay.
+ * A mesh with nothing to repair stays the same to the bit, and so does a repaired one. KTG_GEOMETRY
+ * when no face is left; on failure the mesh is as it was. */
 KTG_API KTG_NODISCARD ktg_status ktg_mesh_repair(ktg_context *context, ktg_mesh *mesh,
                                                  ktg_repair_report *report);
 
@@ -232,16 +249,27 @@ KTG_API KTG_NODISCARD ktg_status ktg_mesh_repair(ktg_context *context, ktg_mesh 
 typedef struct ktg_simplify_report {
     uint32_t faces_before, faces_after;
     bool target_reached;
+    uint32_t faces_without_uv; /* which had texture coordinates before */
 } ktg_simplify_report;
 
 /* Collapses edges by quadric error (Garland & Heckbert 1997; on OpenMesh's half-edges, with its
  * decimater's test of legality) to at most `target_faces`, in place. Topology and borders keep, no
  * normal flips, no degenerate face and no self-intersection that was not there before comes into
  * being; where these rules forbid every further collapse it stops early (report->target_reached =
- * false). Objects, groups, materials follow the surviving faces, and the lines between them are
- * kept to like edges; texture coordinates and polygons are dropped when anything changed. Marked
- * edges stay as they are: their vertices do not move. The mesh must be a manifold (as
- * ktg_mesh_repair leaves it), else KTG_ARGUMENT. On failure it is as it was. */
+ * false). Objects, groups, materials and colours follow the surviving faces, and the lines between
+ * them are kept to like edges; colours of vertices are blended. Marked edges stay as they are:
+ * their vertices do not move. Polygons are dropped when anything changed.
+ *
+ * Texture coordinates follow, too. Their seams (and in a model that has any, the lines between
+ * materials) stay: vertices on them move along them only, and those where seams meet or end stay,
+ * but for a move along their normal, which changes nothing in the texture. No face turns over in
+ * the texture. Where this would leave more faces than wished for, or seams meet in more than a
+ * quarter as many vertices as there shall be faces, the wish weighs more than the seams; faces
+ * whose coordinates then hold no longer have KTG_NONE at their corners, and are counted
+ * (report->faces_without_uv).
+ *
+ * The mesh must be a manifold (as ktg_mesh_repair leaves it), else KTG_ARGUMENT. On failure it is
+ * as it was. */
 KTG_API KTG_NODISCARD ktg_status ktg_mesh_simplify(ktg_context *context, ktg_mesh *mesh,
                                                    uint32_t target_faces,
                                                    ktg_simplify_report *report);

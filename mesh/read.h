@@ -47,6 +47,8 @@ typedef struct ktg_word {
     size_t length;
 } ktg_word;
 ktg_word ktg_scan_word(ktg_scan *scan);
+/* How many are left on the line. */
+size_t ktg_scan_words_left(ktg_scan scan);
 bool ktg_word_is(ktg_word word, const char *text);
 /* The same, capitals or not. */
 bool ktg_word_means(ktg_word word, const char *text);
@@ -86,6 +88,26 @@ void ktg_name_table_free(ktg_name_table *table);
 /* A clean copy of a name, as above; NULL when memory is short. */
 char *ktg_name_clean(ktg_context *context, ktg_word text);
 
+/* Appends a clean name to *text as a line of its own. */
+KTG_NODISCARD ktg_status ktg_name_line(ktg_context *context, char **text, ktg_word name);
+
+/* ---- colours (read_colours.c) ------------------------------------------------------------- */
+
+/* Colours of vertices or polygons as a file gives them: red, green and blue from 0 to 1, or to 255
+ * where one is larger than 1. */
+typedef struct ktg_colour_list {
+    ktg_vec3 *values; /* count; NaN where none was given */
+    size_t count, capacity;
+} ktg_colour_list;
+
+/* The colour of item `index`, which is the last one so far. */
+KTG_NODISCARD ktg_status ktg_colours_set(ktg_context *context, ktg_colour_list *list, size_t index,
+                                         ktg_vec3 colour);
+/* Red, green and blue as bytes for `count` items, white where none was given; *bytes is NULL when
+ * none was given at all. */
+KTG_NODISCARD ktg_status ktg_colours_bytes(ktg_context *context, const ktg_colour_list *list,
+                                           size_t count, uint8_t **bytes);
+
 /* ---- polygons (read_soup.c) --------------------------------------------------------------- */
 
 typedef struct ktg_soup_polygon {
@@ -105,11 +127,13 @@ typedef struct ktg_soup {
     size_t corner_uv_capacity;
     ktg_soup_polygon *polygons;
     size_t polygon_count, polygon_capacity;
-    uint32_t *marked; /* 2 marked_count vertex indices */
+    ktg_colour_list vertex_colours, polygon_colours;
+    uint8_t *polygon_bytes; /* of polygon_colours, when all are read */
+    uint32_t *marked;       /* 2 marked_count vertex indices */
     size_t marked_count, marked_capacity;
     ktg_name_table objects, groups, materials;
     uint32_t object, group, material; /* of the polygons to come */
-    char *material_library;
+    char *material_library, *texture_file;
 } ktg_soup;
 
 KTG_NODISCARD ktg_status ktg_soup_vertex(ktg_context *context, ktg_soup *soup, ktg_vec3 position);

@@ -45,6 +45,10 @@ char *ktg_name_clean(ktg_context *context, ktg_word text) {
     return (char *)clean;
 }
 
+char *ktg_mesh_clean_name(ktg_context *context, const char *name) {
+    return ktg_name_clean(context, (ktg_word){name, strlen(name)});
+}
+
 /* FNV-1a with a final mix. */
 static size_t hash_text(const char *text) {
     uint64_t hash = 0xcbf29ce484222325u;
@@ -99,6 +103,20 @@ ktg_status ktg_name_number(ktg_context *context, ktg_name_table *table, ktg_word
     }
     *number = table->slots[slot];
     return KTG_OK;
+}
+
+ktg_status ktg_name_line(ktg_context *context, char **text, ktg_word name) {
+    char *clean = ktg_name_clean(context, name);
+    if (!clean)
+        return KTG_MEMORY;
+    size_t before = *text ? strlen(*text) + 1 : 0, length = strlen(clean), capacity = before;
+    ktg_status status = ktg_reserve(context, text, &capacity, before + length + 1);
+    if (status == KTG_OK && before > 0)
+        (*text)[before - 1] = '\n';
+    if (status == KTG_OK)
+        memcpy(*text + before, clean, length + 1);
+    ktg_free(clean);
+    return status;
 }
 
 void ktg_name_table_free(ktg_name_table *table) {

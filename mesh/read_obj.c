@@ -1,5 +1,6 @@
 /* mesh/read_obj.c - Wavefront OBJ: polygons, groups, objects, materials, texture coordinates,
- * marked edges. Normals, curves, surfaces, points and unknown keywords are passed over. */
+ * colours of vertices, marked edges. Normals, curves, surfaces, points and unknown keywords are
+ * passed over. */
 #include "core/memory.h"
 #include "mesh/read.h"
 
@@ -16,15 +17,28 @@ typedef struct obj {
     ktg_scan *scan;
     ktg_soup *soup;
     farthest vertex, uv;
-    size_t library_capacity, library_length;
 } obj;
+
+/* The colour of the last vertex, which stands behind its position: "v x y z r g b". A single
+ * number there is a weight, and is passed over. */
+static ktg_status read_vertex_colour(obj *o) {
+    ktg_vec3 c;
+    if (ktg_scan_words_left(*o->scan) < 3)
+        return KTG_OK;
+    KTG_TRY(ktg_scan_number(o->scan, "the red of a vertex", &c.x));
+    KTG_TRY(ktg_scan_number(o->scan, "the green of a vertex", &c.y));
+    KTG_TRY(ktg_scan_number(o->scan, "the blue of a vertex", &c.z));
+    return ktg_colours_set(o->scan->context, &o->soup->vertex_colours, o->soup->vertex_count - 1,
+                           c);
+}
 
 static ktg_status read_vertex(obj *o) {
     ktg_vec3 p;
     KTG_TRY(ktg_scan_number(o->scan, "the x of a vertex", &p.x));
     KTG_TRY(ktg_scan_number(o->scan, "the y of a vertex", &p.y));
     KTG_TRY(ktg_scan_number(o->scan, "the z of a vertex", &p.z));
-    return ktg_soup_vertex(o->scan->context, o->soup, p);
+    KTG_TRY(ktg_soup_vertex(o->scan->context, o->soup, p));
+    return ktg_scan_line_ends(o->scan) ? KTG_OK : read_vertex_colour(o);
 }
 
 static ktg_status read_uv(obj *o) {
@@ -110,26 +124,11 @@ static ktg_status read_line_element(obj *o) {
     return KTG_OK;
 }
 
-/* Several mtllib lines become one, with blanks between them, as OBJ itself allows. */
 static ktg_status read_library(obj *o) {
-    ktg_context *context = o->scan->context;
     ktg_word rest = ktg_scan_rest(o->scan);
     if (rest.length == 0)
         return KTG_OK;
-    char *clean = ktg_name_clean(context, rest);
-    if (!clean)
-        return KTG_MEMORY;
-    size_t length = strlen(clean);
-    ktg_status status = ktg_reserve(context, &o->soup->material_library, &o->library_capacity,
-                                    o->library_length + length + 2);
-    if (status == KTG_OK) {
-        if (o->library_length)
-            o->soup->material_library[o->library_length++] = ' ';
-        memcpy(o->soup->material_library + o->library_length, clean, length + 1);
-        o->library_length += length;
-    }
-    ktg_free(clean);
-    return status;
+    return ktg_name_line(o->scan->context, &o->soup->material_library, rest);
 }
 
 static ktg_status read_statement(obj *o) {

@@ -17,7 +17,25 @@ typedef enum ply_type {
 } ply_type;
 
 /* What a property or element is to us. */
-typedef enum ply_role { PLY_OTHER, PLY_X, PLY_Y, PLY_Z, PLY_CORNERS } ply_role;
+typedef enum ply_role {
+    PLY_OTHER,
+    PLY_X,
+    PLY_Y,
+    PLY_Z,
+    PLY_CORNERS,
+    PLY_RED,
+    PLY_GREEN,
+    PLY_BLUE,
+    PLY_U,
+    PLY_V,
+    PLY_CORNER_UVS, /* a list: u and v of each corner */
+    PLY_TEXTURE,    /* the number of the face's texture */
+    PLY_ROLE_COUNT
+} ply_role;
+#define PLY_ROLES_XYZ    (1u << PLY_X | 1u << PLY_Y | 1u << PLY_Z)
+#define PLY_ROLES_COLOUR (1u << PLY_RED | 1u << PLY_GREEN | 1u << PLY_BLUE)
+#define PLY_ROLES_UV     (1u << PLY_U | 1u << PLY_V)
+
 typedef enum ply_kind { PLY_UNKNOWN, PLY_VERTEX, PLY_FACE } ply_kind;
 
 typedef struct ply_property {
@@ -41,6 +59,8 @@ typedef struct ply_head {
     size_t element_count, element_capacity;
     ply_property *properties;
     size_t property_count, property_capacity;
+    ktg_word *textures; /* texture_count names of "comment TextureFile", in the file's bytes */
+    size_t texture_count, texture_capacity;
 } ply_head;
 
 size_t ktg_ply_size(ply_type type);

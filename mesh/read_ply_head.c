@@ -62,15 +62,39 @@ static ktg_status read_element(ktg_scan *scan, ply_head *head) {
     return KTG_OK;
 }
 
+/* What a property's name says it is, where it stands in this element and is a list or not. Programs
+ * differ in what they call a texture coordinate. */
 static ply_role role_of(const ply_element *element, const ply_property *property, ktg_word name) {
+    static const struct {
+        ply_kind kind;
+        bool list;
+        const char *name;
+        ply_role role;
+    } roles[] = {{PLY_VERTEX, false, "x", PLY_X},
+                 {PLY_VERTEX, false, "y", PLY_Y},
+                 {PLY_VERTEX, false, "z", PLY_Z},
+                 {PLY_VERTEX, false, "s", PLY_U},
+                 {PLY_VERTEX, false, "t", PLY_V},
+                 {PLY_VERTEX, false, "u", PLY_U},
+                 {PLY_VERTEX, false, "v", PLY_V},
+                 {PLY_VERTEX, false, "texture_u", PLY_U},
+                 {PLY_VERTEX, false, "texture_v", PLY_V},
+                 {PLY_FACE, true, "vertex_indices", PLY_CORNERS},
+                 {PLY_FACE, true, "vertex_index", PLY_CORNERS},
+                 {PLY_FACE, true, "texcoord", PLY_CORNER_UVS},
+                 {PLY_FACE, false, "texnumber", PLY_TEXTURE},
+                 {PLY_UNKNOWN, false, "red", PLY_RED}, /* of a vertex or a face */
+                 {PLY_UNKNOWN, false, "green", PLY_GREEN},
+                 {PLY_UNKNOWN, false, "blue", PLY_BLUE},
+                 {PLY_UNKNOWN, false, "diffuse_red", PLY_RED},
+                 {PLY_UNKNOWN, false, "diffuse_green", PLY_GREEN},
+                 {PLY_UNKNOWN, false, "diffuse_blue", PLY_BLUE}};
     bool list = property->count_type != PLY_NONE;
-    if (element->kind == PLY_VERTEX && !list)
-        return ktg_word_is(name, "x")   ? PLY_X
-               : ktg_word_is(name, "y") ? PLY_Y
-               : ktg_word_is(name, "z") ? PLY_Z
-                                        : PLY_OTHER;
-    bool corners = ktg_word_is(name, "vertex_indices") || ktg_word_is(name, "vertex_index");
-    return element->kind == PLY_FACE && list && corners ? PLY_CORNERS : PLY_OTHER;
+    for (size_t i = 0; i < sizeof roles / sizeof *roles && element->kind != PLY_UNKNOWN; i++)
+        if ((roles[i].kind == element->kind || roles[i].kind == PLY_UNKNOWN) &&
+            roles[i].list == list && ktg_word_is(name, roles[i].name))
+            return roles[i].role;
+    return PLY_OTHER;
 }
 
 static ktg_status read_list_count_type(ktg_scan *scan, ply_property *property) {
@@ -103,8 +127,11 @@ static ktg_status read_property(ktg_scan *scan, ply_head *head) {
     property->role = role_of(element, property, name);
     if (property->role == PLY_CORNERS && property->type >= PLY_FLOAT)
         return ktg_scan_fail(scan, KTG_FORMAT, "vertex numbers of a fractional type make no sense");
-    if (property->role != PLY_OTHER && element->roles & 1u << property->role)
+    bool twice = property->role != PLY_OTHER && element->roles & 1u << property->role;
+    if (twice && property->role <= PLY_CORNERS)
         return ktg_scan_fail(scan, KTG_FORMAT, "a property appears twice in one element");
+    if (twice) /* "red" and "diffuse_red", say: the first one counts */
+        property->role = PLY_OTHER;
     element->roles |= 1u << property->role;
     element->end = ++head->property_count;
     /* In ASCII a value is a digit and a blank at least. */
@@ -113,11 +140,26 @@ static ktg_status read_property(ktg_scan *scan, ply_head *head) {
     return KTG_OK;
 }
 
+/* MeshLab names the textures in comments, in the order of their numbers. */
+static ktg_status read_comment(ktg_scan *scan, ply_head *head) {
+    if (!ktg_word_is(ktg_scan_word(scan), "TextureFile"))
+        return KTG_OK;
+    ktg_word name = ktg_scan_rest(scan);
+    if (name.length == 0)
+        return KTG_OK;
+    KTG_TRY(ktg_reserve(scan->context, &head->textures, &head->texture_capacity,
+                        head->texture_count + 1));
+    head->textures[head->texture_count++] = name;
+    return KTG_OK;
+}
+
 /* One line of the head; *done at its end. */
 static ktg_status read_line(ktg_scan *scan, ply_head *head, bool *done) {
     ktg_word word = ktg_scan_word(scan);
     *done = ktg_word_is(word, "end_header") && head->has_format;
-    if (*done || ktg_word_is(word, "comment") || ktg_word_is(word, "obj_info"))
+    if (ktg_word_is(word, "comment"))
+        return read_comment(scan, head);
+    if (*done || ktg_word_is(word, "obj_info"))
         return KTG_OK;
     if (!head->has_format)
         return ktg_word_is(word, "format") ? read_format(scan, head)
@@ -156,7 +198,7 @@ static ktg_status check_rows(ktg_scan *scan, const ply_head *head) {
 }
 
 static ktg_status check_kinds(ktg_scan *scan, const ply_head *head) {
-    const unsigned wanted[] = {0, 1u << PLY_X | 1u << PLY_Y | 1u << PLY_Z, 1u << PLY_CORNERS};
+    const unsigned wanted[] = {0, PLY_ROLES_XYZ, 1u << PLY_CORNERS};
     size_t found[3] = {0};
     for (size_t i = 0; i < head->element_count; i++) {
         const ply_element *element = &head->elements[i];
@@ -195,5 +237,6 @@ void ktg_ply_free_head(ply_head *head) {
         ktg_free(head->elements[i].name);
     ktg_free(head->elements);
     ktg_free(head->properties);
+    ktg_free(head->textures);
     *head = (ply_head){0};
 }

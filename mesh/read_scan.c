@@ -127,6 +127,13 @@ ktg_word ktg_scan_word(ktg_scan *scan) {
     return word;
 }
 
+size_t ktg_scan_words_left(ktg_scan scan) {
+    size_t count = 0;
+    for (; !ktg_scan_line_ends(&scan); count++)
+        (void)ktg_scan_word(&scan);
+    return count;
+}
+
 bool ktg_word_is(ktg_word word, const char *text) {
     return strlen(text) == word.length && memcmp(text, word.text, word.length) == 0;
 }

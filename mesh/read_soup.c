@@ -51,6 +51,10 @@ void ktg_soup_free(ktg_soup *soup) {
     ktg_name_table_free(&soup->groups);
     ktg_name_table_free(&soup->materials);
     ktg_free(soup->material_library);
+    ktg_free(soup->texture_file);
+    ktg_free(soup->vertex_colours.values);
+    ktg_free(soup->polygon_colours.values);
+    ktg_free(soup->polygon_bytes);
     *soup = (ktg_soup){0};
 }
 
@@ -117,6 +121,8 @@ static ktg_status allocate_faces(ktg_context *context, const ktg_soup *soup, uin
         failed |= !(mesh->face_material = ktg_new(context, n, uint32_t));
     if (soup->uv_count)
         failed |= !(mesh->face_uv = ktg_new(context, 3 * n, uint32_t));
+    if (soup->polygon_colours.count)
+        failed |= !(mesh->face_colours = ktg_new(context, 3 * n, uint8_t));
     return failed ? KTG_MEMORY : KTG_OK;
 }
 
@@ -138,6 +144,8 @@ static void append_face(const ktg_soup *soup, size_t polygon, const cutter *cut,
         mesh->face_group[face] = from->group;
     if (mesh->face_material)
         mesh->face_material[face] = from->material;
+    if (mesh->face_colours)
+        memcpy(mesh->face_colours + 3 * face, soup->polygon_bytes + 3 * polygon, 3);
 }
 
 static ktg_status cut_polygons(ktg_context *context, const ktg_soup *soup, ktg_mesh *mesh) {
@@ -174,6 +182,8 @@ static void take_arrays(ktg_soup *soup, ktg_mesh *mesh) {
     soup->positions = NULL;
     mesh->material_library = soup->material_library;
     soup->material_library = NULL;
+    mesh->texture_file = soup->texture_file;
+    soup->texture_file = NULL;
     take_names(&soup->objects, &mesh->objects);
     take_names(&soup->groups, &mesh->groups);
     take_names(&soup->materials, &mesh->materials);
@@ -197,6 +207,13 @@ static void drop_unused_uvs(ktg_soup *soup) {
     soup->uv_count = 0;
 }
 
+static ktg_status make_colours(ktg_context *context, ktg_soup *soup, ktg_mesh *mesh) {
+    KTG_TRY(ktg_colours_bytes(context, &soup->vertex_colours, soup->vertex_count,
+                              &mesh->vertex_colours));
+    return ktg_colours_bytes(context, &soup->polygon_colours, soup->polygon_count,
+                             &soup->polygon_bytes);
+}
+
 ktg_status ktg_soup_mesh(ktg_context *context, const char *name, ktg_soup *soup, ktg_mesh **mesh) {
     uint64_t faces = triangle_bound(soup);
     if (faces > MOST_FACES || soup->vertex_count >= KTG_NONE || soup->uv_count >= KTG_NONE)
@@ -206,7 +223,9 @@ ktg_status ktg_soup_mesh(ktg_context *context, const char *name, ktg_soup *soup,
     if (!made)
         return KTG_MEMORY;
     drop_unused_uvs(soup);
-    ktg_status status = allocate_faces(context, soup, faces, made);
+    ktg_status status = make_colours(context, soup, made);
+    if (status == KTG_OK)
+        status = allocate_faces(context, soup, faces, made);
     if (status == KTG_OK)
         status = cut_polygons(context, soup, made);
     if (status == KTG_OK)

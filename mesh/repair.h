@@ -58,6 +58,9 @@ void ktg_repair_keep_faces(ktg_mesh *mesh, const bool *keep);
 KTG_NODISCARD ktg_status ktg_repair_grow(ktg_context *context, ktg_mesh *mesh, uint32_t faces,
                                          uint32_t vertices);
 
+/* Vertex `to` gets the position and the colour of `from`. */
+void ktg_repair_copy_vertex(ktg_mesh *mesh, uint32_t from, uint32_t to);
+
 /* Cuts face f = (u, v, w), u at corner k, at a point of its edge u v where vertex m is: f becomes
  * (u, m, w) and `added` (m, v, w), with f's attributes and the texture coordinate at the fraction
  * `t` from u to v. */

@@ -84,7 +84,7 @@ static void move_vertices(ktg_repair *repair, const clean_work *w) {
     for (uint32_t v = 0; v < mesh->vertex_count; v++) {
         uint32_t target = w->target[repair->weld[v]];
         if (target != KTG_NONE && target != v)
-            mesh->positions[v] = mesh->positions[target];
+            ktg_repair_copy_vertex(mesh, target, v);
     }
 }
 

@@ -18,22 +18,25 @@ ktg_status ktg_repair_welded(ktg_repair *repair, ktg_adjacency **adjacency) {
     return status;
 }
 
-/* Items of `width` numbers per face; the array may be absent. */
-static void keep_items(uint32_t *items, size_t width, uint32_t count, const bool *keep) {
+/* Items of `size` bytes per face; the array may be absent. */
+static void keep_items(void *items, size_t size, uint32_t count, const bool *keep) {
+    uint8_t *bytes = items;
     uint32_t kept = 0;
-    for (uint32_t f = 0; items && f < count; f++)
+    for (uint32_t f = 0; bytes && f < count; f++)
         if (keep[f])
-            memmove(items + width * kept++, items + width * f, width * sizeof *items);
+            memmove(bytes + size * kept++, bytes + size * f, size);
 }
 
 void ktg_repair_keep_faces(ktg_mesh *mesh, const bool *keep) {
     uint32_t kept = 0;
-    keep_items(mesh->faces, 3, mesh->face_count, keep);
-    keep_items(mesh->face_uv, 3, mesh->face_count, keep);
-    keep_items(mesh->face_polygon, 1, mesh->face_count, keep);
-    keep_items(mesh->face_object, 1, mesh->face_count, keep);
-    keep_items(mesh->face_group, 1, mesh->face_count, keep);
-    keep_items(mesh->face_material, 1, mesh->face_count, keep);
+    const size_t index = sizeof *mesh->faces;
+    keep_items(mesh->faces, 3 * index, mesh->face_count, keep);
+    keep_items(mesh->face_uv, 3 * index, mesh->face_count, keep);
+    keep_items(mesh->face_polygon, index, mesh->face_count, keep);
+    keep_items(mesh->face_object, index, mesh->face_count, keep);
+    keep_items(mesh->face_group, index, mesh->face_count, keep);
+    keep_items(mesh->face_material, index, mesh->face_count, keep);
+    keep_items(mesh->face_colours, 3, mesh->face_count, keep);
     for (uint32_t f = 0; f < mesh->face_count; f++)
         kept += keep[f];
     mesh->face_count = kept;
@@ -42,6 +45,12 @@ void ktg_repair_keep_faces(ktg_mesh *mesh, const bool *keep) {
 static ktg_status grow_items(ktg_context *context, uint32_t **items, size_t count, size_t extra) {
     size_t capacity = count;
     return *items ? ktg_reserve(context, items, &capacity, count + extra) : KTG_OK;
+}
+
+static ktg_status grow_colours(ktg_context *context, uint8_t **colours, size_t count,
+                               size_t extra) {
+    size_t capacity = 3 * count;
+    return *colours ? ktg_reserve(context, colours, &capacity, 3 * (count + extra)) : KTG_OK;
 }
 
 ktg_status ktg_repair_grow(ktg_context *context, ktg_mesh *mesh, uint32_t faces,
@@ -56,10 +65,18 @@ ktg_status ktg_repair_grow(ktg_context *context, ktg_mesh *mesh, uint32_t faces,
     KTG_TRY(grow_items(context, &mesh->face_object, n, faces));
     KTG_TRY(grow_items(context, &mesh->face_group, n, faces));
     KTG_TRY(grow_items(context, &mesh->face_material, n, faces));
+    KTG_TRY(grow_colours(context, &mesh->face_colours, n, faces));
+    KTG_TRY(grow_colours(context, &mesh->vertex_colours, mesh->vertex_count, vertices));
     KTG_TRY(ktg_reserve(context, &mesh->positions, &capacity, capacity + vertices));
     mesh->face_count += faces;
     mesh->vertex_count += vertices;
     return KTG_OK;
+}
+
+void ktg_repair_copy_vertex(ktg_mesh *mesh, uint32_t from, uint32_t to) {
+    mesh->positions[to] = mesh->positions[from];
+    if (mesh->vertex_colours && from != to)
+        memcpy(mesh->vertex_colours + 3 * (size_t)to, mesh->vertex_colours + 3 * (size_t)from, 3);
 }
 
 /* A new texture coordinate between two, or KTG_NONE where one of them is none. */
@@ -96,6 +113,8 @@ ktg_status ktg_repair_cut_face(ktg_context *context, ktg_mesh *mesh, uint32_t f,
     copy_item(mesh->face_object, f, added);
     copy_item(mesh->face_group, f, added);
     copy_item(mesh->face_material, f, added);
+    if (mesh->face_colours)
+        memcpy(mesh->face_colours + 3 * (size_t)added, mesh->face_colours + 3 * (size_t)f, 3);
     if (!mesh->face_uv)
         return KTG_OK;
     const uint32_t *uv = mesh->face_uv + 3 * (size_t)f;

@@ -84,7 +84,7 @@ static ktg_status set_vertices(ktg_repair *repair, fans_work *w) {
     KTG_TRY(ktg_repair_grow(repair->context, mesh, 0, share_vertices(repair, w)));
     for (uint32_t h = 0; h < w->file_corners; h++)
         if (ktg_set_of(w->fan, h) == h && w->vertex[h] == KTG_NONE) {
-            mesh->positions[next] = mesh->positions[mesh->faces[h]];
+            ktg_repair_copy_vertex(mesh, mesh->faces[h], next);
             w->vertex[h] = next++;
         }
     count_changes(repair, w);
@@ -116,6 +116,15 @@ static ktg_status cut_side(ktg_repair *repair, fans_work *w, uint32_t h, uint32_
     return KTG_OK;
 }
 
+static void set_middle(ktg_mesh *mesh, uint32_t u, uint32_t v, uint32_t m) {
+    const ktg_vec3 *p = mesh->positions;
+    uint8_t *colours = mesh->vertex_colours;
+    mesh->positions[m] = ktg_add3(ktg_mul3(p[u], 0.5), ktg_mul3(p[v], 0.5));
+    for (size_t k = 0; colours && k < 3; k++)
+        colours[3 * (size_t)m + k] =
+            (uint8_t)((colours[3 * (size_t)u + k] + colours[3 * (size_t)v + k] + 1) / 2);
+}
+
 static ktg_status cut_edge(ktg_repair *repair, fans_work *w, uint32_t h) {
     ktg_mesh *mesh = repair->mesh;
     uint32_t g = repair->mate[h], added = mesh->face_count, m = mesh->vertex_count;
@@ -125,9 +134,7 @@ static ktg_status cut_edge(ktg_repair *repair, fans_work *w, uint32_t h) {
     KTG_TRY(ktg_reserve(repair->context, &repair->mate, &capacity, needed));
     KTG_TRY(ktg_reserve(repair->context, &w->before, &same, needed));
     KTG_TRY(ktg_repair_grow(repair->context, mesh, sides, 1));
-    ktg_vec3 u = mesh->positions[mesh->faces[h]];
-    ktg_vec3 v = mesh->positions[mesh->faces[ktg_halfedge_next(h)]];
-    mesh->positions[m] = ktg_add3(ktg_mul3(u, 0.5), ktg_mul3(v, 0.5));
+    set_middle(mesh, mesh->faces[h], mesh->faces[ktg_halfedge_next(h)], m);
     KTG_TRY(cut_side(repair, w, h, m, added));
     if (g == KTG_NONE)
         return KTG_OK;
@@ -189,7 +196,7 @@ static ktg_status drop_unused_vertices(ktg_repair *repair) {
         renamed[mesh->faces[h]] = 1;
     for (uint32_t v = 0; v < mesh->vertex_count; v++)
         if (renamed[v]) {
-            mesh->positions[kept] = mesh->positions[v];
+            ktg_repair_copy_vertex(mesh, v, kept);
             renamed[v] = kept++;
         }
     for (size_t h = 0; h < 3 * (size_t)mesh->face_count; h++)

@@ -2,6 +2,7 @@
 #include "mesh/simplify.h"
 #include "core/memory.h"
 #include "mesh/intersect.h"
+#include "mesh/repair.h"
 #include "mesh/weld.h"
 
 #include <string.h>
@@ -17,13 +18,24 @@ static bool differ(const uint32_t *numbers, uint32_t f, uint32_t g) {
     return numbers && numbers[f] != numbers[g];
 }
 
+static bool differ_in_colour(const uint8_t *colours, size_t f, size_t g) {
+    return colours && memcmp(colours + 3 * f, colours + 3 * g, 3) != 0;
+}
+
+static bool is_uv_seam(const ktg_simplify *s, uint32_t h, uint32_t twin) {
+    return s->uv.kept &&
+           !ktg_uv_joined(s, h / 3, twin / 3, s->faces[h], s->faces[ktg_halfedge_next(h)]);
+}
+
 /* The weight of the plane that stands on a half-edge, 0 for none. */
-static double standing_weight(const ktg_mesh *mesh, const ktg_adjacency *adjacency, uint32_t h) {
+static double standing_weight(const ktg_simplify *s, const ktg_mesh *mesh,
+                              const ktg_adjacency *adjacency, uint32_t h) {
     uint32_t twin = adjacency->twin[h], f = h / 3;
     if (twin == KTG_NONE)
         return border_weight;
     bool seam = differ(mesh->face_object, f, twin / 3) || differ(mesh->face_group, f, twin / 3) ||
-                differ(mesh->face_material, f, twin / 3);
+                differ(mesh->face_material, f, twin / 3) ||
+                differ_in_colour(mesh->face_colours, f, twin / 3) || is_uv_seam(s, h, twin);
     return seam ? seam_weight : 0;
 }
 
@@ -43,7 +55,7 @@ static void set_quadrics(ktg_simplify *s, const ktg_mesh *mesh, const ktg_adjace
             ktg_quadric_add_point(&s->quadrics[corner[k]], p[k], point_weight * area);
         }
         for (uint32_t k = 0; k < 3; k++) {
-            double weight = standing_weight(mesh, adjacency, 3 * f + k);
+            double weight = standing_weight(s, mesh, adjacency, 3 * f + k);
             ktg_vec3 edge = ktg_sub3(p[(k + 1) % 3], p[k]);
             ktg_vec3 across = ktg_unit3(ktg_cross3(edge, normal));
             weight *= ktg_dot3(edge, edge);
@@ -82,7 +94,7 @@ static ktg_status require_manifold(ktg_context *context, const ktg_mesh *mesh) {
                     report.degenerate_faces);
 }
 
-static ktg_status prepare(ktg_simplify *s, const ktg_mesh *mesh) {
+static ktg_status prepare(ktg_simplify *s, const ktg_mesh *mesh, uint32_t target_faces) {
     ktg_adjacency *adjacency = NULL;
     s->vertex_count = mesh->vertex_count;
     s->face_count = s->live_faces = mesh->face_count;
@@ -101,14 +113,17 @@ static ktg_status prepare(ktg_simplify *s, const ktg_mesh *mesh) {
     for (size_t i = 0; i < 2 * (size_t)mesh->marked_count; i++)
         s->locked[mesh->marked_edges[i]] = true;
     memset(s->alive, true, mesh->face_count);
+    KTG_TRY(ktg_simplify_take_colours(s, mesh));
     set_frame(s);
     KTG_TRY(ktg_adjacency_new(s->context, mesh, &adjacency));
+    ktg_status status = ktg_halfedges_new(s->context, mesh, &s->halfedges);
+    for (uint32_t v = 0; status == KTG_OK && v < mesh->vertex_count; v++)
+        s->border[v] = ktg_halfedges_is_border(s->halfedges, v);
+    if (status == KTG_OK)
+        status = ktg_simplify_take_uvs(s, mesh, adjacency, target_faces);
     set_quadrics(s, mesh, adjacency);
     ktg_adjacency_free(&adjacency);
-    KTG_TRY(ktg_halfedges_new(s->context, mesh, &s->halfedges));
-    for (uint32_t v = 0; v < mesh->vertex_count; v++)
-        s->border[v] = ktg_halfedges_is_border(s->halfedges, v);
-    return ktg_simplify_box_faces(s);
+    return status == KTG_OK ? ktg_simplify_box_faces(s) : status;
 }
 
 static void keep_numbers(uint32_t *numbers, uint32_t at, uint32_t from) {
@@ -117,10 +132,13 @@ static void keep_numbers(uint32_t *numbers, uint32_t at, uint32_t from) {
 }
 
 /* Writes the surviving faces and their vertices into the mesh, both in their old order. */
-static ktg_status write_back(const ktg_simplify *s, ktg_mesh *mesh) {
+static ktg_status write_back(const ktg_simplify *s, ktg_mesh *mesh, uint32_t *lost) {
     uint32_t *renamed = ktg_new(s->context, s->vertex_count, uint32_t), faces = 0, vertices = 0;
-    if (!renamed)
-        return KTG_MEMORY;
+    ktg_status status = renamed ? ktg_simplify_give_uvs(s, mesh, lost) : KTG_MEMORY;
+    if (status != KTG_OK) {
+        ktg_free(renamed);
+        return status;
+    }
     for (uint32_t f = 0; f < s->face_count; f++)
         for (size_t k = 0; k < 3 && s->alive[f]; k++)
             renamed[s->faces[3 * (size_t)f + k]] = 1;
@@ -129,6 +147,7 @@ static ktg_status write_back(const ktg_simplify *s, ktg_mesh *mesh) {
     for (uint32_t v = 0; v < s->vertex_count; v++)
         if (renamed[v]) {
             mesh->positions[vertices] = s->positions[v];
+            ktg_simplify_give_colour(s, v, mesh, vertices);
             renamed[v] = vertices++;
         }
     for (uint32_t f = 0; f < s->face_count; f++) {
@@ -139,6 +158,8 @@ static ktg_status write_back(const ktg_simplify *s, ktg_mesh *mesh) {
         keep_numbers(mesh->face_object, faces, f);
         keep_numbers(mesh->face_group, faces, f);
         keep_numbers(mesh->face_material, faces, f);
+        if (mesh->face_colours)
+            memmove(mesh->face_colours + 3 * (size_t)faces, mesh->face_colours + 3 * (size_t)f, 3);
         faces++;
     }
     for (size_t i = 0; i < 2 * (size_t)mesh->marked_count; i++)
@@ -152,11 +173,7 @@ static ktg_status write_back(const ktg_simplify *s, ktg_mesh *mesh) {
 /* What does not survive a change of the surface. */
 static void drop_fine_print(ktg_mesh *mesh) {
     ktg_free(mesh->face_polygon);
-    ktg_free(mesh->uvs);
-    ktg_free(mesh->face_uv);
-    mesh->face_polygon = mesh->face_uv = NULL;
-    mesh->uvs = NULL;
-    mesh->uv_count = 0;
+    mesh->face_polygon = NULL;
 }
 
 /* The rules let no intersection in; this says so by other means, before anything is changed. */
@@ -191,6 +208,8 @@ static void free_state(ktg_simplify *s) {
     ktg_free(s->stamps);
     ktg_free(s->border);
     ktg_free(s->locked);
+    ktg_free(s->colours);
+    ktg_simplify_free_uvs(s);
     ktg_free(s->heap);
     ktg_free(s->changed);
     ktg_free(s->found);
@@ -201,24 +220,26 @@ static void free_state(ktg_simplify *s) {
 ktg_status ktg_mesh_simplify(ktg_context *context, ktg_mesh *mesh, uint32_t target_faces,
                              ktg_simplify_report *report) {
     ktg_simplify s = {.context = context};
-    uint32_t before = mesh->face_count;
+    uint32_t before = mesh->face_count, lost = 0;
     ktg_status status = KTG_OK;
     if (before > target_faces) {
         status = require_manifold(context, mesh);
         if (status == KTG_OK)
-            status = prepare(&s, mesh);
+            status = prepare(&s, mesh, target_faces);
         if (status == KTG_OK)
             status = ktg_simplify_run(&s, target_faces);
         if (status == KTG_OK && s.live_faces < before)
             status = prove(&s, mesh);
         if (status == KTG_OK && s.live_faces < before)
-            status = write_back(&s, mesh);
+            status = ktg_simplify_refine_uvs(&s);
+        if (status == KTG_OK && s.live_faces < before)
+            status = write_back(&s, mesh, &lost);
         if (status == KTG_OK && s.live_faces < before)
             drop_fine_print(mesh);
     }
     if (report)
         *report = (ktg_simplify_report){before, mesh->face_count,
-                                        status == KTG_OK && mesh->face_count <= target_faces};
+                                        status == KTG_OK && mesh->face_count <= target_faces, lost};
     free_state(&s);
     return status;
 }

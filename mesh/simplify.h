@@ -9,6 +9,7 @@
 #include "mesh/boxes.h"
 #include "mesh/mesh.h"
 #include "mesh/quadric.h"
+#include "mesh/simplify_uv.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -65,6 +66,8 @@ typedef struct ktg_simplify {
     uint32_t *stamps; /* vertex_count: goes up when a vertex changes */
     bool *border;     /* vertex_count; a vertex that stays keeps its state */
     bool *locked;     /* vertex_count: of marked edges; never moves or goes, nor do those edges */
+    float *colours;   /* 3 vertex_count, 0 to 255, or NULL */
+    ktg_simplify_uv uv;
     ktg_halfedges *halfedges;
     ktg_boxes *boxes;     /* of the living faces */
     uint32_t boxed_faces; /* how many there were when the tree was built */
@@ -80,10 +83,21 @@ typedef struct ktg_simplify {
     ktg_box *outlines; /* per changed face, of the corners looked at */
 } ktg_simplify;
 
+/* How a vertex is bound to seams, while these are kept. */
+static inline ktg_seam_bond ktg_simplify_bond(const ktg_simplify *s, uint32_t vertex) {
+    return s->uv.kept ? (ktg_seam_bond)s->uv.bonds[vertex] : KTG_OFF_SEAM;
+}
+
 /* simplify_rules.c: whether the collapse onto `position` leaves every face around it in good order:
  * none turned, none thin that was not, no new pair of faces that intersect. */
 KTG_NODISCARD ktg_status ktg_simplify_allowed(ktg_simplify *s, const ktg_candidate *candidate,
                                               ktg_vec3 position, bool *allowed);
+
+/* simplify_colours.c: colours of vertices, where there are any: taken at the beginning, blended in
+ * a collapse (before the vertex moves), and given back, `vertex` becoming vertex `at`. */
+KTG_NODISCARD ktg_status ktg_simplify_take_colours(ktg_simplify *s, const ktg_mesh *mesh);
+void ktg_simplify_blend_colours(ktg_simplify *s, const ktg_candidate *candidate, ktg_vec3 position);
+void ktg_simplify_give_colour(const ktg_simplify *s, uint32_t vertex, ktg_mesh *mesh, uint32_t at);
 
 /* simplify_collapse.c: collapses until `target_faces` are left or nothing more is allowed. */
 KTG_NODISCARD ktg_status ktg_simplify_run(ktg_simplify *s, uint32_t target_faces);

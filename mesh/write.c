@@ -1,4 +1,4 @@
-/* mesh/write.c - writing a model file: which format, numbers, STL, PLY and OFF. */
+/* mesh/write.c - writing a model file: which format, numbers, STL and OFF. */
 #include "mesh/write.h"
 #include "core/memory.h"
 #include "core/vec.h"
@@ -36,8 +36,7 @@ void ktg_put_text(ktg_writer *writer, const char *text) {
     ktg_put_bytes(writer, text, strlen(text));
 }
 
-void ktg_put_name(ktg_writer *writer, const char *keyword, const char *name) {
-    size_t length = strlen(name);
+void ktg_put_name(ktg_writer *writer, const char *keyword, const char *name, size_t length) {
     ktg_put_text(writer, keyword);
     ktg_put_text(writer, " ");
     for (size_t i = 0; i < length; i++) {
@@ -45,6 +44,14 @@ void ktg_put_name(ktg_writer *writer, const char *keyword, const char *name) {
         ktg_put_bytes(writer, bad ? "_" : name + i, 1);
     }
     ktg_put_text(writer, "\n");
+}
+
+void ktg_put_names(ktg_writer *writer, const char *keyword, const char *names) {
+    for (const char *at = names; at && *at;) {
+        size_t length = strcspn(at, "\n");
+        ktg_put_name(writer, keyword, at, length);
+        at += length + (at[length] == '\n');
+    }
 }
 
 void ktg_put_integer(ktg_writer *writer, uint64_t number) {
@@ -71,33 +78,17 @@ void ktg_put_point(ktg_writer *writer, ktg_vec3 point) {
     ktg_put_number(writer, point.y);
     ktg_put_text(writer, " ");
     ktg_put_number(writer, point.z);
-    ktg_put_text(writer, "\n");
 }
 
-/* ---- PLY and OFF -------------------------------------------------------------------------- */
-
-static void put_positions_and_faces(ktg_writer *writer, const ktg_mesh *mesh) {
-    for (uint32_t i = 0; i < mesh->vertex_count; i++)
-        ktg_put_point(writer, mesh->positions[i]);
-    for (size_t f = 0; f < mesh->face_count; f++) {
-        ktg_put_text(writer, "3");
-        for (size_t k = 0; k < 3; k++) {
-            ktg_put_text(writer, " ");
-            ktg_put_integer(writer, mesh->faces[3 * f + k]);
-        }
-        ktg_put_text(writer, "\n");
+void ktg_put_triangle(ktg_writer *writer, const ktg_mesh *mesh, size_t face) {
+    ktg_put_text(writer, "3");
+    for (size_t k = 0; k < 3; k++) {
+        ktg_put_text(writer, " ");
+        ktg_put_integer(writer, mesh->faces[3 * face + k]);
     }
 }
 
-void ktg_write_ply(ktg_writer *writer, const ktg_mesh *mesh) {
-    ktg_put_text(writer, "ply\nformat ascii 1.0\ncomment written by Katagami\nelement vertex ");
-    ktg_put_integer(writer, mesh->vertex_count);
-    ktg_put_text(writer,
-                 "\nproperty double x\nproperty double y\nproperty double z\nelement face ");
-    ktg_put_integer(writer, mesh->face_count);
-    ktg_put_text(writer, "\nproperty list uchar uint vertex_indices\nend_header\n");
-    put_positions_and_faces(writer, mesh);
-}
+/* ---- OFF ---------------------------------------------------------------------------------- */
 
 void ktg_write_off(ktg_writer *writer, const ktg_mesh *mesh) {
     ktg_put_text(writer, "OFF\n");
@@ -105,7 +96,14 @@ void ktg_write_off(ktg_writer *writer, const ktg_mesh *mesh) {
     ktg_put_text(writer, " ");
     ktg_put_integer(writer, mesh->face_count);
     ktg_put_text(writer, " 0\n");
-    put_positions_and_faces(writer, mesh);
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        ktg_put_point(writer, mesh->positions[i]);
+        ktg_put_text(writer, "\n");
+    }
+    for (size_t f = 0; f < mesh->face_count; f++) {
+        ktg_put_triangle(writer, mesh, f);
+        ktg_put_text(writer, "\n");
+    }
 }
 
 /* ---- STL ---------------------------------------------------------------------------------- */

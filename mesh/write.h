@@ -19,13 +19,18 @@ typedef struct ktg_writer {
 
 void ktg_put_bytes(ktg_writer *writer, const void *bytes, size_t size);
 void ktg_put_text(ktg_writer *writer, const char *text);
-/* A name on a line of its own: control characters and a backslash at its end become _. */
-void ktg_put_name(ktg_writer *writer, const char *keyword, const char *name);
+/* A name of `length` bytes on a line of its own: control characters and a backslash at its end
+ * become _. */
+void ktg_put_name(ktg_writer *writer, const char *keyword, const char *name, size_t length);
+/* The same for each line of `names` (NULL: none). */
+void ktg_put_names(ktg_writer *writer, const char *keyword, const char *names);
 void ktg_put_integer(ktg_writer *writer, uint64_t number);
 /* The shortest decimal (15 to 17 digits) that reads back as the same double. */
 void ktg_put_number(ktg_writer *writer, double number);
-/* "x y z\n" */
+/* "x y z" */
 void ktg_put_point(ktg_writer *writer, ktg_vec3 point);
+/* "3 a b c", counted from 0 */
+void ktg_put_triangle(ktg_writer *writer, const ktg_mesh *mesh, size_t face);
 
 void ktg_write_obj(ktg_writer *writer, const ktg_mesh *mesh);
 void ktg_write_stl(ktg_writer *writer, const ktg_mesh *mesh);

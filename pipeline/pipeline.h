@@ -18,6 +18,7 @@
 #include "flatten/flatten.h"
 #include "layout/layout.h"
 #include "mesh/mesh.h"
+#include "paint/paint.h"
 #include "pattern/pattern.h"
 #include "render/render.h"
 #include "unfold/unfold.h"
@@ -44,6 +45,13 @@ typedef enum ktg_large {
 } ktg_large;
 
 typedef enum ktg_axis { KTG_AXIS_AUTO, KTG_AXIS_X, KTG_AXIS_Y, KTG_AXIS_Z } ktg_axis;
+
+/* Whether the model's images and colours are printed. */
+typedef enum ktg_colour_rule {
+    KTG_COLOURS_AUTO, /* paper: yes, unless it has one colour all over; cloth: no */
+    KTG_COLOURS_ON,
+    KTG_COLOURS_OFF
+} ktg_colour_rule;
 
 /* The number of faces that stands for "as many as there are". */
 #define KTG_ALL_FACES 0
@@ -78,7 +86,10 @@ typedef struct ktg_pipeline_options {
     ktg_flatten_options flatten;
     ktg_finish_options finish;
     ktg_layout_options layout; /* what unfold.seconds leaves limits its time */
-    ktg_render_options render; /* its `up`, `marker` and `strain_limit` are set by the run */
+    ktg_render_options
+        render;              /* its `up`, `marker`, `strain_limit` and `paint` are set by the run */
+    ktg_colour_rule colours; /* auto */
+    bool textures_anywhere; /* images and material files outside the model's folder are read, too */
     bool marker; /* cloth: the layout's roll is fabric, on which all pieces lie, twins too, and
                     whole: finish.twins and on_fold are passed over */
 
@@ -106,6 +117,7 @@ typedef struct ktg_pipeline_report {
         model; /* as read, without what is left out; self-intersections not looked for */
     ktg_deform_report deform; /* with an edit */
     ktg_repair_report repair;
+    ktg_paint_report paint;
     ktg_simplify_report simplify;
     ktg_unfold_report unfold;   /* paper */
     ktg_flatten_report flatten; /* cloth */

@@ -147,6 +147,9 @@ ktg_status ktg_pipeline_write_report(ktg_context *context, const ktg_pipeline_op
                               {"length_mm", r->size_mm.z},
                               {"fill", r->layout.fill},
                               {"last_sheet_mm", r->layout.last_mm},
+                              {"images", r->paint.images},
+                              {"images_missing", r->paint.images_missing},
+                              {"faces_coloured_by_closest_point", r->paint.faces_sampled},
                               {"seconds", r->seconds},
                               {"seconds_unfold", r->seconds_unfold}};
     bool paper = options->mode == KTG_PAPER;

@@ -4,6 +4,7 @@
 #include "core/vec.h"
 #include "pipeline/hand.h"
 #include "pipeline/outputs.h"
+#include "pipeline/paint.h"
 #include "pipeline/size.h"
 #include "pipeline/stages.h"
 
@@ -80,8 +81,12 @@ static ktg_status repair(ktg_context *context, const ktg_pipeline_options *optio
     KTG_TRY(ktg_mesh_repair(context, mesh, &report->repair));
     tell_repair(context, &report->repair);
     double extent;
-    KTG_TRY(ktg_mesh_check_extent(context, mesh, &extent));
-    KTG_TRY(simplify(context, options, mesh, report));
+    return ktg_mesh_check_extent(context, mesh, &extent);
+}
+
+/* What was left of the model's faces may pass through each other. */
+static ktg_status look_for_intersections(ktg_context *context, const ktg_mesh *mesh,
+                                         ktg_pipeline_report *report) {
     ktg_mesh_report surface;
     KTG_TRY(ktg_mesh_check(context, mesh, true, &surface));
     report->self_intersections = surface.self_intersections;
@@ -97,6 +102,7 @@ static ktg_status repair(ktg_context *context, const ktg_pipeline_options *optio
 typedef struct job {
     ktg_mesh *mesh;
     ktg_pattern *pattern;
+    ktg_paint *paint;
     ktg_hand hand;
     char *title;
     ktg_outputs outputs;
@@ -106,9 +112,14 @@ typedef struct job {
 static ktg_status shape(ktg_context *context, const ktg_pipeline_options *options, job *j,
                         ktg_pipeline_report *report) {
     KTG_TRY(repair(context, options, j->mesh, report));
+    KTG_TRY(ktg_paint_of_model(context, options, j->mesh, &j->paint, &report->paint));
+    KTG_TRY(simplify(context, options, j->mesh, report));
+    KTG_TRY(look_for_intersections(context, j->mesh, report));
     KTG_TRY(ktg_hand_make_rules(context, options, j->mesh, &j->hand));
     ktg_stage stage = {options, j->mesh, &j->hand, j->title, report};
-    return ktg_stage_pattern(context, &stage, &j->pattern);
+    KTG_TRY(ktg_stage_pattern(context, &stage, &j->pattern));
+    return j->paint ? ktg_paint_onto_pattern(context, j->mesh, j->pattern, j->paint, &report->paint)
+                    : KTG_OK;
 }
 
 static ktg_status run(ktg_context *context, const ktg_pipeline_options *options, job *j,
@@ -131,6 +142,7 @@ static ktg_status run(ktg_context *context, const ktg_pipeline_options *options,
         with_title.render.title = j->title;
     with_title.render.strain_limit = options->flatten.strain_limit;
     with_title.render.up = (unsigned)(ktg_size_up(options) - KTG_AXIS_X);
+    with_title.render.paint = j->paint;
     with_title.render.marker = options->marker;
     KTG_TRY(ktg_outputs_write(context, &with_title, j->pattern, &j->outputs));
     report->seconds = ktg_clock_seconds() - j->start;
@@ -159,6 +171,7 @@ ktg_status ktg_pipeline_run(ktg_context *context, const ktg_pipeline_options *op
         ktg_pipeline_report_free(&own);
     ktg_outputs_discard(&j.outputs);
     ktg_pattern_free(&j.pattern);
+    ktg_paint_free(&j.paint);
     ktg_mesh_free(&j.mesh);
     ktg_hand_free(&j.hand);
     ktg_free(j.title);

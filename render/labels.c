@@ -88,6 +88,46 @@ static void draw_leader(const ktg_page *page, const ktg_pattern_placement *place
     cairo_fill(page->cairo);
 }
 
+/* What lies under a label: the ends of its middle line. */
+static bool ground_of(const ktg_page *page, const ktg_placed_label *placed, double rgb[3]) {
+    ktg_vec2 half = {cos(placed->angle) * placed->width / 2,
+                     -sin(placed->angle) * placed->width / 2};
+    return ktg_ground_of(page, ktg_sub2(placed->at, half), ktg_add2(placed->at, half), rgb);
+}
+
+/* White, or the colour that is there. */
+static void set_ground(const ktg_page *page, const ktg_placed_label *placed) {
+    double rgb[3];
+    ground_of(page, placed, rgb);
+    cairo_set_source_rgb(page->cairo, rgb[0], rgb[1], rgb[2]);
+}
+
+/* Grey, or white where the ground is dark. */
+static void set_ink(const ktg_page *page, const ktg_placed_label *placed, double grey) {
+    double rgb[3];
+    if (ground_of(page, placed, rgb))
+        grey = ktg_ground_is_dark(rgb) ? 1 : 0;
+    cairo_set_source_rgb(page->cairo, grey, grey, grey);
+}
+
+/* Where there is a picture of the model in which pieces have colours. */
+static bool has_tinted_names(const ktg_page *page) {
+    const ktg_drawing *drawing = page->drawing;
+    return drawing->pattern->mode == KTG_PAPER && drawing->pattern->piece_count > 1 &&
+           drawing->piece_tints && !page->colours;
+}
+
+/* A name lies on the colour its piece has in pictures of the model. */
+static void draw_name_ground(const ktg_page *page, uint32_t piece, const ktg_pattern_label *label,
+                             double width) {
+    uint32_t tint = page->drawing->piece_tints[piece];
+    double aside = label->height_mm / 2, high = 1.9 * label->height_mm;
+    cairo_set_source_rgb(page->cairo, (tint >> 16 & 255) / 255.0, (tint >> 8 & 255) / 255.0,
+                         (tint & 255) / 255.0);
+    cairo_rectangle(page->cairo, -width / 2 - aside, -high / 2, width + 2 * aside, high);
+    cairo_fill(page->cairo);
+}
+
 /* A name may cross folds, and so may a number away from its edge: there they are interrupted. */
 void ktg_draw_grounds(const ktg_page *page, const ktg_pattern_placement *placement) {
     const ktg_pattern_piece *piece = &page->drawing->pattern->pieces[placement->piece];
@@ -101,8 +141,13 @@ void ktg_draw_grounds(const ktg_page *page, const ktg_pattern_placement *placeme
             draw_leader(page, placement, label);
         if (!begin_label(page, placement, label, &placed))
             continue;
-        ktg_text_ground(cairo, -placed.width / 2, label->height_mm / 2, placed.text,
-                        label->height_mm / 3);
+        if (label->edge == KTG_NONE && has_tinted_names(page)) {
+            draw_name_ground(page, placement->piece, label, placed.width);
+        } else {
+            set_ground(page, &placed);
+            ktg_text_halo(cairo, -placed.width / 2, label->height_mm / 2, placed.text,
+                          label->height_mm / 3);
+        }
         cairo_restore(cairo);
     }
 }
@@ -115,7 +160,7 @@ void ktg_draw_labels(const ktg_page *page, const ktg_pattern_placement *placemen
         double grey = label->edge == KTG_NONE ? 0.35 : 0.15;
         if (!begin_label(page, placement, label, &placed))
             continue;
-        cairo_set_source_rgb(page->cairo, grey, grey, grey);
+        set_ink(page, &placed, grey);
         if (label->edge == KTG_NONE)
             ktg_text_draw(page->cairo, -placed.width / 2, label->height_mm / 2, placed.text);
         else

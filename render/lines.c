@@ -1,6 +1,9 @@
 /* render/lines.c - what a placed piece is drawn with: tabs, folds, lines, outline, labels. */
 #include "render/draw.h"
 
+/* The grey of cuts on dark grounds. */
+#define LIGHT_CUT 0.75
+
 typedef struct look {
     double width_mm;
     ktg_dashes dashes; /* before fitting */
@@ -54,9 +57,10 @@ static void set_dashes(cairo_t *cairo, ktg_dashes wished, double length) {
 
 void ktg_draw_set_stroke(const ktg_drawing *drawing, cairo_t *cairo, ktg_stroke stroke) {
     double grey = looks[stroke].grey;
-    if (drawing->options.colour && stroke == KTG_STROKE_MOUNTAIN)
+    bool colour = drawing->options.colour && !drawing->options.paint;
+    if (colour && stroke == KTG_STROKE_MOUNTAIN)
         cairo_set_source_rgb(cairo, 0xb3 / 255.0, 0x26 / 255.0, 0x1e / 255.0);
-    else if (drawing->options.colour && stroke == KTG_STROKE_VALLEY)
+    else if (colour && stroke == KTG_STROKE_VALLEY)
         cairo_set_source_rgb(cairo, 0x1f / 255.0, 0x5f / 255.0, 0xbf / 255.0);
     else
         cairo_set_source_rgb(cairo, grey, grey, grey);
@@ -70,13 +74,18 @@ void ktg_draw_set_tint(cairo_t *cairo) {
     cairo_set_source_rgb(cairo, 0.925, 0.925, 0.925);
 }
 
-void ktg_draw_stroke(const ktg_drawing *drawing, cairo_t *cairo, ktg_stroke stroke, ktg_vec2 from,
-                     ktg_vec2 to) {
-    ktg_draw_set_stroke(drawing, cairo, stroke);
+static void stroke_line(const ktg_drawing *drawing, cairo_t *cairo, ktg_stroke stroke,
+                        ktg_vec2 from, ktg_vec2 to) {
     set_dashes(cairo, ktg_stroke_dashes(drawing, stroke), ktg_length2(ktg_sub2(to, from)));
     cairo_move_to(cairo, from.x, from.y);
     cairo_line_to(cairo, to.x, to.y);
     cairo_stroke(cairo);
+}
+
+void ktg_draw_stroke(const ktg_drawing *drawing, cairo_t *cairo, ktg_stroke stroke, ktg_vec2 from,
+                     ktg_vec2 to) {
+    ktg_draw_set_stroke(drawing, cairo, stroke);
+    stroke_line(drawing, cairo, stroke, from, to);
 }
 
 static void polygon(const ktg_page *page, ktg_motion2 motion, const ktg_vec2 *points, size_t count,
@@ -92,12 +101,37 @@ static void polygon(const ktg_page *page, ktg_motion2 motion, const ktg_vec2 *po
         cairo_close_path(page->cairo);
 }
 
+/* A tab's polygon without the strip along its foot that has colours. */
+static size_t beyond_strip(const ktg_pattern_tab *tab, double strip, ktg_vec2 *rest) {
+    ktg_vec2 foot = tab->corners[0], end = tab->corners[tab->corner_count - 1];
+    ktg_vec2 away = ktg_mul2(ktg_perp2(ktg_unit2(ktg_sub2(end, foot))), -1);
+    size_t count = 0;
+    for (uint32_t i = 0; i < tab->corner_count; i++) {
+        ktg_vec2 a = tab->corners[i], b = tab->corners[(i + 1) % tab->corner_count];
+        double from = ktg_dot2(ktg_sub2(a, foot), away) - strip,
+               to = ktg_dot2(ktg_sub2(b, foot), away) - strip;
+        if (from >= 0)
+            rest[count++] = a;
+        if ((from < 0) != (to < 0))
+            rest[count++] = ktg_madd2(a, from / (from - to), ktg_sub2(b, a));
+    }
+    return count;
+}
+
 void ktg_draw_tabs(const ktg_page *page, const ktg_pattern_placement *placement) {
     const ktg_pattern_piece *piece = &page->drawing->pattern->pieces[placement->piece];
     ktg_motion2 motion = ktg_page_motion(placement);
     ktg_draw_set_tint(page->cairo);
-    for (size_t t = 0; t < piece->tab_count; t++)
-        polygon(page, motion, piece->tabs[t].corners, piece->tabs[t].corner_count, true);
+    for (size_t t = 0; t < piece->tab_count; t++) {
+        const ktg_pattern_tab *tab = &piece->tabs[t];
+        ktg_vec2 rest[2 * KTG_TAB_CORNERS];
+        if (page->colours) {
+            size_t count = beyond_strip(tab, page->drawing->options.bleed_mm, rest);
+            polygon(page, motion, rest, count, count > 0);
+        } else {
+            polygon(page, motion, tab->corners, tab->corner_count, true);
+        }
+    }
     cairo_fill(page->cairo);
 }
 
@@ -107,10 +141,29 @@ void ktg_draw_folds(const ktg_page *page, const ktg_pattern_placement *placement
     for (size_t i = drawing->first_fold[placement->piece];
          i < drawing->first_fold[placement->piece + 1]; i++) {
         const ktg_fold_segment *fold = &drawing->folds[i];
-        ktg_draw_stroke(drawing, page->cairo, fold->stroke,
-                        ktg_page_point(page, motion, fold->from),
-                        ktg_page_point(page, motion, fold->to));
+        ktg_vec2 from = ktg_page_point(page, motion, fold->from),
+                 to = ktg_page_point(page, motion, fold->to);
+        ktg_draw_set_stroke(drawing, page->cairo, fold->stroke);
+        ktg_ground_set_fold_ink(page, from, to);
+        stroke_line(drawing, page->cairo, fold->stroke, from, to);
     }
+}
+
+/* On dark grounds a black line would not be seen. */
+static void lighten_outline(const ktg_page *page, const ktg_pattern_placement *placement) {
+    const ktg_pattern_piece *piece = &page->drawing->pattern->pieces[placement->piece];
+    ktg_motion2 motion = ktg_page_motion(placement);
+    double rgb[3];
+    for (size_t i = 0; i < piece->outline_count; i++) {
+        ktg_vec2 from = ktg_page_point(page, motion, piece->outline[i]),
+                 to = ktg_page_point(page, motion, piece->outline[(i + 1) % piece->outline_count]);
+        if (!ktg_ground_of(page, from, to, rgb) || !ktg_ground_is_dark(rgb))
+            continue;
+        cairo_move_to(page->cairo, from.x, from.y);
+        cairo_line_to(page->cairo, to.x, to.y);
+    }
+    cairo_set_source_rgb(page->cairo, LIGHT_CUT, LIGHT_CUT, LIGHT_CUT);
+    cairo_stroke(page->cairo);
 }
 
 /* One stroke for the whole walk: where it runs along itself (the two sides of a slit that has not
@@ -120,6 +173,8 @@ void ktg_draw_outline(const ktg_page *page, const ktg_pattern_placement *placeme
     polygon(page, ktg_page_motion(placement), piece->outline, piece->outline_count, true);
     ktg_draw_set_stroke(page->drawing, page->cairo, KTG_STROKE_CUT);
     cairo_stroke(page->cairo);
+    if (page->colours)
+        lighten_outline(page, placement);
 }
 
 ktg_stroke ktg_stroke_of_line(ktg_line_kind kind) {

@@ -12,8 +12,10 @@ void ktg_render_defaults(ktg_render_options *options) {
                                     .dots_per_inch = 150,
                                     .up = 1,
                                     .colour = true,
+                                    .guide = true,
                                     .strain_map = true,
-                                    .strain_limit = 0.05};
+                                    .strain_limit = 0.05,
+                                    .bleed_mm = 1.5};
 }
 
 /* The title asked for, or the model's file name without its ending. */
@@ -76,12 +78,21 @@ static unsigned find_kinds(const ktg_drawing *drawing) {
     return kinds;
 }
 
-static ktg_status check_options(ktg_context *context, const ktg_render_options *options) {
+static ktg_status check_options(ktg_context *context, const ktg_pattern *pattern,
+                                const ktg_render_options *options) {
     if (!(options->flat_below >= 0))
         return ktg_fail(context, KTG_ARGUMENT,
                         "folds flatter than %g radians cannot be left out: the angle must not be "
                         "negative",
                         options->flat_below);
+    if (!(options->bleed_mm >= 0 && options->bleed_mm <= 20))
+        return ktg_fail(context, KTG_ARGUMENT,
+                        "colours cannot reach %g mm beyond edges: 0 to 20 are possible",
+                        options->bleed_mm);
+    if (options->paint && ktg_paint_face_count(options->paint) != pattern->face_count)
+        return ktg_fail(context, KTG_ARGUMENT,
+                        "the paint is laid on %u faces, but the pattern has %u: lay it on those",
+                        ktg_paint_face_count(options->paint), pattern->face_count);
     if (options->up > 2)
         return ktg_fail(context, KTG_ARGUMENT, "there is no axis %u: 0, 1 or 2 is up", options->up);
     return KTG_OK;
@@ -101,11 +112,13 @@ ktg_status ktg_drawing_new(ktg_context *context, const ktg_pattern *pattern,
     else
         ktg_render_defaults(&made->options);
     choose_title(pattern, made->options.title, made->title);
-    ktg_status status = check_options(context, &made->options);
+    ktg_status status = check_options(context, pattern, &made->options);
     if (status == KTG_OK)
         status = ktg_drawing_find_folds(made);
     if (status == KTG_OK)
         status = ktg_drawing_find_joints(made);
+    if (status == KTG_OK)
+        status = ktg_drawing_find_tints(made);
     if (status != KTG_OK) {
         ktg_drawing_free(&made);
         return status;
@@ -132,6 +145,7 @@ void ktg_drawing_free(ktg_drawing **drawing) {
     ktg_free((*drawing)->first_fold);
     ktg_free((*drawing)->folds);
     ktg_free((*drawing)->joints);
+    ktg_free((*drawing)->piece_tints);
     ktg_free(*drawing);
     *drawing = NULL;
 }

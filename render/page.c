@@ -1,5 +1,5 @@
 /* render/page.c - one sheet: where its pieces come to lie on the page, layer by layer. */
-#include "render/draw.h"
+#include "render/colours.h"
 
 ktg_motion2 ktg_page_motion(const ktg_pattern_placement *placement) {
     return (ktg_motion2){
@@ -35,33 +35,39 @@ static void clip_tile(const ktg_page *page) {
     cairo_clip(page->cairo);
 }
 
-ktg_status ktg_page_draw(const ktg_drawing *drawing, size_t number, cairo_t *cairo,
-                         bool *furnished) {
+static void draw_sheet(const ktg_page *page) {
     typedef void layer(const ktg_page *, const ktg_pattern_placement *);
     static layer *const layers[] = {ktg_draw_tabs,    ktg_draw_folds,   ktg_draw_lines,
                                     ktg_draw_grounds, ktg_draw_outline, ktg_draw_joints,
                                     ktg_draw_labels};
-    ktg_page page = {drawing, &drawing->pattern->sheets[number], number, cairo};
+    cairo_save(page->cairo);
+    clip_tile(page);
+    for (size_t k = 0; k < sizeof layers / sizeof *layers; k++)
+        for (size_t i = 0; i < page->sheet->placement_count; i++)
+            layers[k](page, &page->sheet->placements[i]);
+    cairo_restore(page->cairo);
+    if (ktg_is_tile(page->sheet))
+        ktg_tile_draw_joins(page);
+    ktg_registration_draw(page);
+    ktg_marker_draw(page);
+}
+
+ktg_status ktg_page_draw(const ktg_drawing *drawing, size_t number, cairo_t *cairo,
+                         bool *furnished) {
+    ktg_page page = {drawing, &drawing->pattern->sheets[number], number, cairo, NULL};
     ktg_status status = ktg_check_cancel(drawing->context);
     if (status != KTG_OK)
         return status;
     ktg_page_begin(cairo);
-    status = ktg_furniture_draw(&page, furnished);
-    if (status != KTG_OK)
-        return status;
     if (ktg_is_tile(page.sheet))
         ktg_tile_draw_ground(&page);
-    cairo_save(cairo);
-    clip_tile(&page);
-    for (size_t k = 0; k < sizeof layers / sizeof *layers; k++)
-        for (size_t i = 0; i < page.sheet->placement_count; i++)
-            layers[k](&page, &page.sheet->placements[i]);
-    cairo_restore(cairo);
-    if (ktg_is_tile(page.sheet))
-        ktg_tile_draw_joins(&page);
-    ktg_registration_draw(&page);
-    ktg_marker_draw(&page);
+    status = ktg_colours_begin(&page);
+    if (status == KTG_OK)
+        status = ktg_furniture_draw(&page, furnished);
+    if (status == KTG_OK)
+        draw_sheet(&page);
+    ktg_colours_free(&page.colours);
     ktg_progress(drawing->context, "render",
                  (double)(number + 1) / (double)drawing->pattern->sheet_count, NULL);
-    return KTG_OK;
+    return status;
 }

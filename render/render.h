@@ -3,6 +3,7 @@
 #define KTG_RENDER_RENDER_H
 
 #include "core/core.h"
+#include "paint/paint.h"
 #include "pattern/pattern.h"
 
 #ifdef __cplusplus
@@ -29,12 +30,17 @@ typedef struct ktg_render_options {
     unsigned up;          /* which axis of the model is height: 0 x, 1 y, 2 z; 1 */
     bool
         colour; /* mountain red, valley blue; the dashes tell them apart without it; default true */
+    bool guide; /* paper: the PDF ends with pages that tell how to build it; true */
     bool strain_map;       /* cloth: the PDF ends with a page that shows where it strains; true */
     double strain_limit;   /* of that page's colours; 0.05 */
     ktg_svg_unit svg_unit; /* millimetres */
     bool real_dashes;      /* SVG, DXF: dashes are short paths of their own; default false */
-    bool plain_dxf;    /* of cloth too, a DXF is for cutters, not for garment CAD; default false */
-    bool marker;       /* a roll is fabric: its edges, width and length are drawn; default false */
+    bool plain_dxf; /* of cloth too, a DXF is for cutters, not for garment CAD; default false */
+    bool marker;    /* a roll is fabric: its edges, width and length are drawn; default false */
+    const ktg_paint *paint; /* what the faces look like (ktg_paint_lay, onto the faces of the
+                               pattern's surface), borrowed; NULL: they stay white. Folds are
+                               black or white then, whatever is seen better */
+    double bleed_mm;        /* how far colours reach beyond the edges of faces; 1.5 */
     bool registration; /* marks in the margins by which a cutter finds the print; default false */
 } ktg_render_options;
 

@@ -1,6 +1,7 @@
 /* render/svg.c - one sheet as SVG for a cutting machine: plain XML, a layer for each operation,
  * presentation attributes only. */
 #include "render/plot.h"
+#include "render/svg_colours.h"
 
 #include "core/memory.h"
 
@@ -162,6 +163,7 @@ static ktg_status put_head(const svg *s) {
     KTG_TRY(put(s, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                    "<svg xmlns=\"http://www.w3.org/2000/svg\""
                    " xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\""
+                   " xmlns:xlink=\"http://www.w3.org/1999/xlink\""
                    " xmlns:sodipodi=\"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd\""
                    " version=\"1.1\""));
     KTG_TRY(put_size(s));
@@ -179,6 +181,7 @@ static ktg_status put_head(const svg *s) {
 static ktg_status put_file(svg *s) {
     unsigned layers = ktg_plot_layers(s->plot);
     KTG_TRY(put_head(s));
+    KTG_TRY(ktg_svg_put_colours(s->plot, s->units, s->output));
     for (int layer = 0; layer < KTG_LAYER_COUNT; layer++)
         if (layers & 1u << layer)
             KTG_TRY(put_layer(s, (ktg_layer)layer));

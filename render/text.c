@@ -86,16 +86,20 @@ void ktg_text_draw(cairo_t *cairo, double x, double baseline, const char *text) 
     ktg_font_end(cairo, usual);
 }
 
-void ktg_text_ground(cairo_t *cairo, double x, double baseline, const char *text, double width) {
+void ktg_text_halo(cairo_t *cairo, double x, double baseline, const char *text, double width) {
     char ordered[KTG_TITLE_SIZE];
     cairo_font_face_t *usual = ktg_font_begin(cairo, text);
     cairo_move_to(cairo, x, baseline);
     cairo_text_path(cairo, ktg_text_order(text, ordered));
-    cairo_set_source_rgb(cairo, 1, 1, 1);
     cairo_set_dash(cairo, NULL, 0, 0);
     cairo_set_line_width(cairo, width);
     cairo_stroke(cairo);
     ktg_font_end(cairo, usual);
+}
+
+void ktg_text_ground(cairo_t *cairo, double x, double baseline, const char *text, double width) {
+    cairo_set_source_rgb(cairo, 1, 1, 1);
+    ktg_text_halo(cairo, x, baseline, text, width);
 }
 
 void ktg_text_shorten(cairo_t *cairo, double width, char *text, size_t size) {

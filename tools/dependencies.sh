@@ -4,7 +4,7 @@
 # The list is Debian 12's; meson.build checks the same set and names what it misses.
 
 build_packages="gcc g++ meson ninja-build pkg-config libcgal-dev libgmp-dev libmpfr-dev \
-libopenmesh-dev libsuitesparse-dev libcairo2-dev libfontconfig-dev libjansson-dev libcmocka-dev fonts-dejavu-core"
+libopenmesh-dev libsuitesparse-dev libcairo2-dev libfontconfig-dev libpng-dev libjpeg-dev libjansson-dev libcmocka-dev fonts-dejavu-core"
 # what some tests look at the results with, and the formatting lint
 test_packages="poppler-utils clang-format python3 librsvg2-bin python3-ezdxf locales"
 

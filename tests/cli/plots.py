@@ -87,6 +87,9 @@ class Svg:
         units = self.box[3] / height_mm
         for group in self.root.findall(SVG + 'g'):
             label = group.get(INKSCAPE + 'label')
+            if label == 'Colours':
+                self.read_picture(group)
+                continue
             if group.get(INKSCAPE + 'groupmode') != 'layer' or label not in KNOWN or label in self.layers:
                 self.problems.append('layer %s' % label)
             self.layers[label], self.texts[label], colours = [], [], set()
@@ -103,6 +106,17 @@ class Svg:
             if element.get('class') or element.get('style'):
                 self.problems.append('an element with a class or a style')
         return self
+
+    def read_picture(self, group):
+        """A picture lies under all else, within the sheet."""
+        pictures = group.findall(SVG + 'image')
+        self.picture = pictures[0] if len(pictures) == 1 else None
+        if self.layers or self.picture is None or len(group) != 1:
+            self.problems.append('the colours are not one picture under all layers')
+            return
+        x, y, wide, high = (float(self.picture.get(name)) for name in ('x', 'y', 'width', 'height'))
+        if x < -0.1 or y < -0.1 or x + wide > self.box[2] + 0.1 or y + high > self.box[3] + 0.1:
+            self.problems.append('the picture of the colours lies beyond the sheet')
 
     @staticmethod
     def ways(d, height_mm, units):

@@ -15,17 +15,20 @@ ROOMS = {
     "unfold": {"core", "mesh", "pattern"},
     "flatten": {"core", "mesh", "pattern"},
     "layout": {"core", "pattern"},
-    "render": {"core", "pattern", "layout"},
+    "paint": {"core", "mesh"},
+    "render": {"core", "pattern", "layout", "paint"},
     "verify": {"core", "mesh", "pattern"},
-    "pipeline": {"core", "mesh", "deform", "pattern", "unfold", "flatten", "layout", "render", "verify"},
-    "cli": {"core", "mesh", "deform", "pattern", "unfold", "flatten", "layout", "render", "verify", "pipeline"},
+    "pipeline": {"core", "mesh", "deform", "pattern", "unfold", "flatten", "layout", "paint", "render", "verify"},
+    "cli": {"core", "mesh", "deform", "pattern", "unfold", "flatten", "layout", "paint", "render", "verify", "pipeline"},
 }
 # core's toolbox: shared between rooms beside its public header
 TOOLBOX = {"core/" + name for name in
            ("clock.h", "file.h", "guard.hpp", "memory.h", "parallel.h", "place.h", "predicate.h", "random.h", "sparse.h", "sets.h", "text.h", "vec.h")}
 # and the shape of tabs, which the search places too; polygons grown and hulls, which nesting needs
 TOOLBOX |= {"pattern/tab_room.h", "pattern/offset.h", "pattern/hull.h"}
-LIBRARIES = {"cairo": {"render"}, "fontconfig": {"render"}, "CGAL": {"core", "mesh"}, "OpenMesh": {"mesh"},
+# and closest points, from which colours are taken again
+TOOLBOX |= {"mesh/closest.h"}
+LIBRARIES = {"cairo": {"render"}, "fontconfig": {"render"}, "png": {"paint"}, "jpeglib": {"paint"}, "CGAL": {"core", "mesh"}, "OpenMesh": {"mesh"},
              "suitesparse": {"core"}, "jansson": {"pattern"}}
 
 

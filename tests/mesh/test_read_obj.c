@@ -52,7 +52,7 @@ static void names_are_kept_as_they_are_written(void **state) {
                                "mtllib my colours.mtl \nmtllib b.mtl\n" TRIANGLE "f 1 2 3\n"
                                "o body\ng left arm\nusemtl Material #25\nf 1 2 3\n"
                                "o head \ng\nusemtl red\nf 1 2 3\no body\ng left arm\nf 1 2 3\n");
-    assert_string_equal(mesh->material_library, "my colours.mtl b.mtl");
+    assert_string_equal(mesh->material_library, "my colours.mtl\nb.mtl");
     assert_int_equal(mesh->objects.count, 2);
     assert_string_equal(mesh->objects.text[0], "body");
     assert_string_equal(mesh->objects.text[1], "head");
