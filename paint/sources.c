@@ -14,7 +14,7 @@
 typedef struct reading {
     ktg_context *context;
     ktg_paint *paint;
-    ktg_place place;
+    ktg_paint_root place;
     ktg_materials materials;
     const ktg_material **sorted; /* materials.count, by name */
     size_t *first; /* materials.count: the library each begins in, as index into `libraries` */
@@ -46,7 +46,7 @@ static ktg_status take_library(reading *r, char *path) {
 /* Reads the library `name` when it is there; *why is NULL then. */
 static ktg_status try_library(reading *r, const char *name, const char **why) {
     char *path;
-    KTG_TRY(ktg_place_find(r->context, &r->place, r->place.model, name, &path, why));
+    KTG_TRY(ktg_paint_find_file(r->context, &r->place, r->place.model, name, &path, why));
     if (!path)
         return KTG_OK;
     *why = NULL;
@@ -152,7 +152,7 @@ static ktg_status share_image(reading *r, char *path, const ktg_image **image) {
 static ktg_status take_image(reading *r, const char *from, const char *name, ktg_source *source) {
     char *path;
     const char *why;
-    KTG_TRY(ktg_place_find(r->context, &r->place, from, name, &path, &why));
+    KTG_TRY(ktg_paint_find_file(r->context, &r->place, from, name, &path, &why));
     ktg_status status = path ? share_image(r, path, &source->image) : KTG_FILE;
     if (status == KTG_OK || status == KTG_MEMORY || status == KTG_CANCELLED)
         return status;
