@@ -90,9 +90,9 @@ KTG_API KTG_NODISCARD ktg_status ktg_mesh_read(ktg_context *context, const char 
                                                ktg_mesh_format format, ktg_mesh **mesh);
 
 /* Appends the model to an output, in the format of its path's ending (or `format`): OBJ with
- * everything the mesh holds but colours of faces, binary STL, ASCII PLY (positions, triangles and
- * colours), OFF (positions and triangles). Numbers read
- * back to the same double (STL: float). Input polygons are not restored: triangles are written. */
+ * everything the mesh holds but colours of faces, binary STL, ASCII PLY (positions, triangles,
+ * colours, texture coordinates, texture_file), OFF (positions and triangles). Numbers read back to
+ * the same double (STL: float). Input polygons are not restored: triangles are written. */
 KTG_API KTG_NODISCARD ktg_status ktg_mesh_write(ktg_context *context, const ktg_mesh *mesh,
                                                 ktg_mesh_format format, ktg_output *output);
 
@@ -211,6 +211,15 @@ typedef struct ktg_mesh_report {
 /* `intersections`: also look for self-intersections (CGAL; a second or so at 100,000 faces). */
 KTG_API KTG_NODISCARD ktg_status ktg_mesh_check(ktg_context *context, const ktg_mesh *mesh,
                                                 bool intersections, ktg_mesh_report *report);
+
+/* How many times its own extent a model may be away from the origin: beyond, the rounding of its
+ * coordinates is more than patterns are proven to (1e-9). */
+#define KTG_MESH_MOST_AWAY 1e7
+
+/* The largest side of the box around the faces. KTG_GEOMETRY where it is nothing, beyond 1e75, or
+ * less than a KTG_MESH_MOST_AWAY-th of the largest coordinate: no pattern can be made of that. */
+KTG_API KTG_NODISCARD ktg_status ktg_mesh_check_extent(ktg_context *context, const ktg_mesh *mesh,
+                                                       double *extent);
 
 /* What a repair did. */
 typedef struct ktg_repair_report {
