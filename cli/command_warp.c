@@ -1,7 +1,7 @@
 /* cli/command_warp.c - katagami warp: a flat shape, or a piece of a pattern, follows its handles.
  */
 #include "cli/cli.h"
-#include "core/place.h"
+#include "core/target.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -54,10 +54,10 @@ static ktg_status check_mesh_output(ktg_context *context, const settings *s) {
         return ktg_fail(context, KTG_ARGUMENT,
                         "a mesh that is warped wants one -o FILE that ends in .obj, .stl, .ply or "
                         ".off");
-    if (ktg_place_same(s->outputs[0], s->arguments[0]))
+    if (ktg_target_same(s->outputs[0], s->arguments[0]))
         return ktg_fail(context, KTG_ARGUMENT, "%s: is the shape itself; name another output",
                         s->outputs[0]);
-    if (ktg_place_same(s->outputs[0], s->handles))
+    if (ktg_target_same(s->outputs[0], s->handles))
         return ktg_fail(context, KTG_ARGUMENT, "%s: is a file to be read; name another output",
                         s->outputs[0]);
     return ktg_output_check(context, s->outputs[0]);

@@ -2,7 +2,7 @@
  * place, then put there.
  */
 #include "core/memory.h"
-#include "core/place.h"
+#include "core/target.h"
 #include "core/text.h"
 
 #include <errno.h>
@@ -16,7 +16,7 @@
 
 struct ktg_output {
     char *path;
-    ktg_place place;
+    ktg_target place;
     char *beside;  /* the name of a file that is not in its place yet; NULL where there is none */
     bool nameless; /* the stream's file has no name yet */
     FILE *stream;
@@ -41,9 +41,9 @@ static void output_free(ktg_output **output) {
 
 /* ---- where it goes ------------------------------------------------------------------------ */
 
-static ktg_status check_folder(ktg_context *context, const char *path, const ktg_place *place) {
+static ktg_status check_folder(ktg_context *context, const char *path, const ktg_target *place) {
     char folder[PATH_MAX];
-    if (!ktg_place_folder(place->path, folder, sizeof folder))
+    if (!ktg_target_folder(place->path, folder, sizeof folder))
         return cannot_write(context, path, ENAMETOOLONG);
     if (access(folder, W_OK | X_OK) == 0)
         return KTG_OK;
@@ -51,8 +51,8 @@ static ktg_status check_folder(ktg_context *context, const char *path, const ktg
                     errno == ENOENT ? "; make its folder first" : "");
 }
 
-static ktg_status find_place(ktg_context *context, const char *path, ktg_place *place) {
-    int error = ktg_place_find(path, place);
+static ktg_status find_place(ktg_context *context, const char *path, ktg_target *place) {
+    int error = ktg_target_find(path, place);
     if (error != 0)
         return cannot_write(context, path, error);
     if (place->exists && S_ISDIR(place->mode))
@@ -63,7 +63,7 @@ static ktg_status find_place(ktg_context *context, const char *path, ktg_place *
 }
 
 ktg_status ktg_output_check(ktg_context *context, const char *path) {
-    ktg_place place;
+    ktg_target place;
     return strcmp(path, "-") == 0 ? KTG_OK : find_place(context, path, &place);
 }
 
@@ -126,7 +126,7 @@ static void name_of_nameless(const ktg_output *output, char name[48]) {
 static bool open_nameless(ktg_output *output) {
 #ifdef O_TMPFILE
     char folder[PATH_MAX], name[48];
-    if (!ktg_place_folder(output->place.path, folder, sizeof folder) ||
+    if (!ktg_target_folder(output->place.path, folder, sizeof folder) ||
         !take_file(output, open(folder, O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666)))
         return false;
     name_of_nameless(output, name);
@@ -142,7 +142,7 @@ static bool open_nameless(ktg_output *output) {
 
 /* As the file had that was there. */
 static bool keep_permissions(const ktg_output *output) {
-    const ktg_place *place = &output->place;
+    const ktg_target *place = &output->place;
     int file = fileno(output->stream);
     struct stat about;
     if (!place->exists)
@@ -281,6 +281,6 @@ const char *ktg_output_path(const ktg_output *output) {
     return output->path;
 }
 
-const char *ktg_output_place(const ktg_output *output) {
+const char *ktg_output_target(const ktg_output *output) {
     return output->standard || !output->place.regular ? NULL : output->place.path;
 }

@@ -178,9 +178,8 @@ ktg_status ktg_simplify_box_faces(ktg_simplify *s) {
 /* Carries out what the rules just allowed: their lists tell which faces change. */
 static ktg_status collapse(ktg_simplify *s, const ktg_candidate *c, ktg_vec3 position) {
     const uint32_t *around;
-    uint32_t count;
     s->quadrics[c->to] = ktg_quadric_sum(&s->quadrics[c->to], &s->quadrics[c->from]);
-    ktg_halfedges_collapse(s->halfedges, c->from, c->to);
+    KTG_TRY(ktg_halfedges_collapse(s->context, s->halfedges, c->from, c->to));
     ktg_simplify_blend_colours(s, c, position);
     ktg_simplify_move_uvs(s, c);
     s->positions[c->to] = position;
@@ -199,7 +198,7 @@ static ktg_status collapse(ktg_simplify *s, const ktg_candidate *c, ktg_vec3 pos
         ktg_boxes_remove(s->boxes, s->changed[i]);
         s->live_faces--;
     }
-    KTG_TRY(ktg_halfedges_neighbours(s->context, s->halfedges, c->to, &around, &count));
+    uint32_t count = ktg_halfedges_neighbours(s->halfedges, c->to, &around);
     for (uint32_t i = 0; i < count; i++)
         KTG_TRY(push_edge(s, c->to, around[i]));
     return s->live_faces < stale_tree * s->boxed_faces ? ktg_simplify_box_faces(s) : KTG_OK;

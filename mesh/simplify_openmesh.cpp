@@ -61,8 +61,8 @@ extern "C" ktg_status ktg_halfedges_new(ktg_context *context, const ktg_mesh *me
                                 "face %u does not fit a manifold: repair the mesh first", f + 1);
         }
         made->decimater = std::make_unique<Decimater>(made->mesh);
-        made->faces.reserve(64);
-        made->vertices.reserve(64);
+        made->faces.reserve(mesh->face_count); /* whose filling cannot fail, then */
+        made->vertices.reserve(mesh->vertex_count);
         *halfedges = made.release();
         return KTG_OK;
     });
@@ -75,29 +75,21 @@ extern "C" void ktg_halfedges_free(ktg_halfedges **halfedges) {
     }
 }
 
-extern "C" ktg_status ktg_halfedges_faces(ktg_context *context, ktg_halfedges *h, uint32_t vertex,
-                                          const uint32_t **faces, uint32_t *count) {
-    return ktg_guard(context, "faces around a vertex", [&]() -> ktg_status {
-        h->faces.clear();
-        for (auto it = h->mesh.cvf_iter(handle(vertex)); it.is_valid(); ++it)
-            h->faces.push_back(static_cast<uint32_t>(it->idx()));
-        *faces = h->faces.data();
-        *count = static_cast<uint32_t>(h->faces.size());
-        return KTG_OK;
-    });
+extern "C" uint32_t ktg_halfedges_faces(ktg_halfedges *h, uint32_t vertex, const uint32_t **faces) {
+    h->faces.clear();
+    for (auto it = h->mesh.cvf_iter(handle(vertex)); it.is_valid(); ++it)
+        h->faces.push_back(static_cast<uint32_t>(it->idx()));
+    *faces = h->faces.data();
+    return static_cast<uint32_t>(h->faces.size());
 }
 
-extern "C" ktg_status ktg_halfedges_neighbours(ktg_context *context, ktg_halfedges *h,
-                                               uint32_t vertex, const uint32_t **vertices,
-                                               uint32_t *count) {
-    return ktg_guard(context, "vertices around a vertex", [&]() -> ktg_status {
-        h->vertices.clear();
-        for (auto it = h->mesh.cvv_iter(handle(vertex)); it.is_valid(); ++it)
-            h->vertices.push_back(static_cast<uint32_t>(it->idx()));
-        *vertices = h->vertices.data();
-        *count = static_cast<uint32_t>(h->vertices.size());
-        return KTG_OK;
-    });
+extern "C" uint32_t ktg_halfedges_neighbours(ktg_halfedges *h, uint32_t vertex,
+                                             const uint32_t **vertices) {
+    h->vertices.clear();
+    for (auto it = h->mesh.cvv_iter(handle(vertex)); it.is_valid(); ++it)
+        h->vertices.push_back(static_cast<uint32_t>(it->idx()));
+    *vertices = h->vertices.data();
+    return static_cast<uint32_t>(h->vertices.size());
 }
 
 extern "C" bool ktg_halfedges_is_border(const ktg_halfedges *h, uint32_t vertex) {
@@ -118,7 +110,7 @@ static bool may_collapse(ktg_halfedges *h, Mesh::HalfedgeHandle edge) {
            may_lose_a_neighbour(h->mesh, collapse.vr) && h->decimater->is_legal(collapse);
 }
 
-/* OpenMesh's test takes memory. */
+/* OpenMesh takes memory for its test, and for a collapse. */
 extern "C" ktg_status ktg_halfedges_may_collapse(ktg_context *context, ktg_halfedges *h,
                                                  uint32_t from, uint32_t to, bool *may) {
     return ktg_guard(context, "half-edges", [&]() -> ktg_status {
@@ -127,6 +119,10 @@ extern "C" ktg_status ktg_halfedges_may_collapse(ktg_context *context, ktg_halfe
     });
 }
 
-extern "C" void ktg_halfedges_collapse(ktg_halfedges *h, uint32_t from, uint32_t to) {
-    h->mesh.collapse(h->mesh.find_halfedge(handle(from), handle(to)));
+extern "C" ktg_status ktg_halfedges_collapse(ktg_context *context, ktg_halfedges *h, uint32_t from,
+                                             uint32_t to) {
+    return ktg_guard(context, "half-edges", [&]() -> ktg_status {
+        h->mesh.collapse(h->mesh.find_halfedge(handle(from), handle(to)));
+        return KTG_OK;
+    });
 }

@@ -1,7 +1,7 @@
 /* pipeline/outputs.c - which files to write, and writing them all or none. */
 #include "pipeline/outputs.h"
 #include "core/memory.h"
-#include "core/place.h"
+#include "core/target.h"
 
 #include <limits.h>
 #include <stdio.h>
@@ -42,10 +42,10 @@ static const char *path_at(const ktg_pipeline_options *options, size_t i) {
 /* Among the files of edges. */
 static bool names_edges(const ktg_pipeline_options *options, const char *path) {
     for (size_t i = 0; i < options->keep_count; i++)
-        if (ktg_place_same(path, options->keep[i]))
+        if (ktg_target_same(path, options->keep[i]))
             return true;
     for (size_t i = 0; i < options->cut_count; i++)
-        if (ktg_place_same(path, options->cut[i]))
+        if (ktg_target_same(path, options->cut[i]))
             return true;
     return false;
 }
@@ -55,13 +55,13 @@ static ktg_status check_not_read(ktg_context *context, const ktg_pipeline_option
                                  const char *path) {
     if (strcmp(path, "-") == 0)
         return KTG_OK;
-    if (options->model && ktg_place_same(path, options->model))
+    if (options->model && ktg_target_same(path, options->model))
         return ktg_fail(context, KTG_ARGUMENT, "%s: is the model itself; name another output",
                         path);
     if (names_edges(options, path))
         return ktg_fail(context, KTG_ARGUMENT,
                         "%s: is a file of edges or handles to be read; name another output", path);
-    if (options->edit && ktg_place_same(path, options->edit))
+    if (options->edit && ktg_target_same(path, options->edit))
         return ktg_fail(context, KTG_ARGUMENT,
                         "%s: is the edit file to be read; name another output", path);
     return KTG_OK;
@@ -69,7 +69,7 @@ static ktg_status check_not_read(ktg_context *context, const ktg_pipeline_option
 
 /* "-", too, can be written once only. */
 static bool same_output(const char *a, const char *b) {
-    return strcmp(a, "-") == 0 || strcmp(b, "-") == 0 ? strcmp(a, b) == 0 : ktg_place_same(a, b);
+    return strcmp(a, "-") == 0 || strcmp(b, "-") == 0 ? strcmp(a, b) == 0 : ktg_target_same(a, b);
 }
 
 ktg_status ktg_outputs_check(ktg_context *context, const ktg_pipeline_options *options) {
@@ -94,9 +94,9 @@ ktg_status ktg_outputs_check(ktg_context *context, const ktg_pipeline_options *o
 /* Is the last one to be what another one is to be? */
 static bool is_there_twice(const ktg_outputs *open) {
     const ktg_output *last = open->items[open->count - 1];
-    const char *place = ktg_output_place(last);
+    const char *place = ktg_output_target(last);
     for (size_t i = 0; place && i + 1 < open->count; i++) {
-        const char *other = ktg_output_place(open->items[i]);
+        const char *other = ktg_output_target(open->items[i]);
         if (other && strcmp(place, other) == 0)
             return true;
     }

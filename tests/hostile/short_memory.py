@@ -16,10 +16,10 @@ PROGRAM, SAMPLES, SHIM = (str(pathlib.Path(word).resolve()) for word in sys.argv
 TRIALS = int(sys.argv[4]) if len(sys.argv) > 4 else 24
 
 JOBS = {
-    "unfold": ["unfold", SAMPLES + "/house.obj", "-q", "--threads", "1", "--effort", "quick", "-o", "a.json", "-o", "a.dxf"],
+    "unfold": ["unfold", SAMPLES + "/house.obj", "-q", "--threads", "1", "--effort", "quick", "-o", "a.json"],
     "unfold_in_threads": ["unfold", SAMPLES + "/robot.obj", "-q", "--threads", "2", "--effort", "quick", "--faces", "150",
                           "-o", "a.json", "--report", "r.json"],
-    "flatten": ["flatten", SAMPLES + "/blouse-front.obj", "-q", "--unit", "cm", "-o", "a.json", "-o", "a.dxf"],
+    "flatten": ["flatten", SAMPLES + "/blouse-front.obj", "-q", "--unit", "cm", "-o", "a.json"],
     "simplify": ["simplify", SAMPLES + "/fox.obj", "-q", "--faces", "100", "-o", "a.obj"],
     "deform": ["deform", SAMPLES + "/bracket.obj", "--edit", SAMPLES + "/bracket-bend.edit", "-q", "-o", "a.obj"],
     "warp": ["warp", SAMPLES + "/flat-bar.obj", "--handles", SAMPLES + "/flat-bar.handles", "-q", "-o", "a.obj"],

@@ -1,5 +1,5 @@
-/* core/place.c - where an output file really goes. */
-#include "core/place.h"
+/* core/target.c - where an output file really goes. */
+#include "core/target.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -11,7 +11,7 @@
 /* More links than any system follows. */
 #define MOST_LINKS 40
 
-bool ktg_place_folder(const char *path, char *folder, size_t size) {
+bool ktg_target_folder(const char *path, char *folder, size_t size) {
     const char *slash = strrchr(path, '/');
     int length = slash ? snprintf(folder, size, "%.*s", (int)(slash + 1 - path), path)
                        : snprintf(folder, size, "./");
@@ -25,7 +25,7 @@ static int follow_once(char path[PATH_MAX]) {
     if (length < 0)
         return errno;
     target[length] = '\0';
-    if (target[0] != '/' && strchr(path, '/') && !ktg_place_folder(path, folder, sizeof folder))
+    if (target[0] != '/' && strchr(path, '/') && !ktg_target_folder(path, folder, sizeof folder))
         return ENAMETOOLONG;
     int written = snprintf(path, PATH_MAX, "%s%s", folder, target);
     return written < PATH_MAX ? 0 : ENAMETOOLONG;
@@ -53,16 +53,16 @@ static const char *last_part(const char *path) {
 /* Spells the folder in full, where it exists. */
 static int spell_out(char path[PATH_MAX]) {
     char folder[PATH_MAX], full[PATH_MAX], name[PATH_MAX];
-    if (!ktg_place_folder(path, folder, sizeof folder) || !realpath(folder, full))
+    if (!ktg_target_folder(path, folder, sizeof folder) || !realpath(folder, full))
         return 0;
     strcpy(name, last_part(path));
     int written = snprintf(path, PATH_MAX, "%s%s%s", full, full[1] ? "/" : "", name);
     return written < PATH_MAX ? 0 : ENAMETOOLONG;
 }
 
-int ktg_place_find(const char *path, ktg_place *place) {
+int ktg_target_find(const char *path, ktg_target *place) {
     struct stat about;
-    *place = (ktg_place){.regular = true};
+    *place = (ktg_target){.regular = true};
     if (strlen(path) >= PATH_MAX)
         return ENAMETOOLONG;
     strcpy(place->path, path);
@@ -84,9 +84,9 @@ static bool same_inode(const char *a, const char *b) {
     return stat(a, &x) == 0 && stat(b, &y) == 0 && x.st_dev == y.st_dev && x.st_ino == y.st_ino;
 }
 
-bool ktg_place_same(const char *a, const char *b) {
-    ktg_place x, y;
-    if (ktg_place_find(a, &x) != 0 || ktg_place_find(b, &y) != 0)
+bool ktg_target_same(const char *a, const char *b) {
+    ktg_target x, y;
+    if (ktg_target_find(a, &x) != 0 || ktg_target_find(b, &y) != 0)
         return strcmp(a, b) == 0;
     if (!x.regular || !y.regular)
         return false;
