@@ -149,6 +149,28 @@ static void cut_loop(const opening *o, const ktg_adjacency *adjacency, uint32_t 
         cut_way(o, adjacency, o->sheet->ends[2 * (size_t)edge + k], closed, cut);
 }
 
+/* The cheapest edge that leads on from one of two vertices. */
+static uint32_t way_on(const ktg_sheet *s, uint32_t one, uint32_t other) {
+    uint32_t best = KTG_NONE;
+    for (uint32_t e = 0; e < s->edge_count; e++) {
+        uint32_t a = s->ends[2 * (size_t)e], b = s->ends[2 * (size_t)e + 1];
+        bool from_a = a == one || a == other, from_b = b == one || b == other;
+        if (from_a != from_b && (best == KTG_NONE || s->cost[e] < s->cost[best]))
+            best = e;
+    }
+    return best;
+}
+
+/* Cuts a sphere from its root to the vertex farthest away. A slit of one edge opens nothing, as
+ * both its sides run between the same two vertices; it is made longer by an edge. */
+static void slit_sphere(const opening *o, const ktg_adjacency *adjacency, bool *cut) {
+    const ktg_sheet *s = o->sheet;
+    uint32_t far = farthest(o), next = ktg_sheet_other_end(s, o->via[far], far);
+    cut_way(o, adjacency, far, false, cut);
+    if (o->via[next] == KTG_NONE)
+        cut[edge_of(o, adjacency, way_on(s, far, next))] = true;
+}
+
 /* Nearer to a disk: by the shortest loop, as what is cut makes others shorter; by all of them at
  * once, which makes it a disk, where there are many. */
 static ktg_status open_once(ktg_context *context, const ktg_adjacency *adjacency, opening *o,
@@ -156,8 +178,8 @@ static ktg_status open_once(ktg_context *context, const ktg_adjacency *adjacency
     bool closed = !has_border(o->sheet);
     KTG_TRY(find_ways(context, o, closed));
     uint32_t count = find_loops(o);
-    if (count == 0) { /* a sphere: slit from end to end */
-        cut_way(o, adjacency, farthest(o), false, cut);
+    if (count == 0) {
+        slit_sphere(o, adjacency, cut);
         return KTG_OK;
     }
     uint32_t first = count > most_single_loops && !closed ? 0 : count - 1;

@@ -1,6 +1,8 @@
 /* flatten/overlap.c - does the flat panel lie on itself? When no face is flipped, it does exactly
  * when its border crosses itself, or when the faces around a point of the border (where a slit
- * ends) take more than a whole turn: there both sides of the slit cross in the point itself. */
+ * ends) take more than a whole turn: there both sides of the slit cross in the point itself. Where
+ * parts of the border lie on each other, as those of boxes do, neither shows; but then a face at
+ * the border lies on another face. */
 #include "core/memory.h"
 #include "core/vec.h"
 #include "flatten/kernel.h"
@@ -90,15 +92,105 @@ static bool find_overfull(const ktg_panel *panel, const ktg_vec2 *flat, uint32_t
     return false;
 }
 
+/* ---- faces on each other ------------------------------------------------------------------ */
+
+/* A face with its range along x and y, lengthwise first. */
+typedef struct flat_face {
+    double low, high, low_across, high_across;
+    ktg_vec2 corners[3];
+    uint32_t vertex; /* its first corner */
+    bool at_border;  /* it has an edge there */
+} flat_face;
+
+static void turn_lengthwise(double *a, double *b) {
+    double kept = *a;
+    *a = *b;
+    *b = kept;
+}
+
+static flat_face flat_face_of(const ktg_panel *panel, const ktg_vec2 *flat, uint32_t f) {
+    const uint32_t *c = panel->faces + 3 * (size_t)f,
+                   *twin = panel->adjacency->twin + 3 * (size_t)f;
+    ktg_vec2 p = flat[c[0]], q = flat[c[1]], r = flat[c[2]];
+    return (flat_face){.low = fmin(p.x, fmin(q.x, r.x)),
+                       .high = fmax(p.x, fmax(q.x, r.x)),
+                       .low_across = fmin(p.y, fmin(q.y, r.y)),
+                       .high_across = fmax(p.y, fmax(q.y, r.y)),
+                       .corners = {p, q, r},
+                       .vertex = c[0],
+                       .at_border =
+                           twin[0] == KTG_NONE || twin[1] == KTG_NONE || twin[2] == KTG_NONE};
+}
+
+/* All faces, so that a sweep goes along the longer side of the panel's box. */
+static void list_faces(const ktg_panel *panel, const ktg_vec2 *flat, flat_face *faces) {
+    double low = INFINITY, high = -INFINITY, low_across = INFINITY, high_across = -INFINITY;
+    for (uint32_t f = 0; f < panel->face_count; f++) {
+        faces[f] = flat_face_of(panel, flat, f);
+        low = fmin(low, faces[f].low), high = fmax(high, faces[f].high);
+        low_across = fmin(low_across, faces[f].low_across);
+        high_across = fmax(high_across, faces[f].high_across);
+    }
+    for (uint32_t f = 0; high - low < high_across - low_across && f < panel->face_count; f++) {
+        turn_lengthwise(&faces[f].low, &faces[f].low_across);
+        turn_lengthwise(&faces[f].high, &faces[f].high_across);
+    }
+}
+
+static int by_low_end(const void *a, const void *b) {
+    const flat_face *f = a, *g = b;
+    if (f->low != g->low)
+        return f->low < g->low ? -1 : 1;
+    return (f->vertex > g->vertex) - (f->vertex < g->vertex);
+}
+
+/* True when an edge of `face` has all of `other` on its outer side, but for a little. */
+static bool edge_parts(const ktg_vec2 face[3], const ktg_vec2 other[3]) {
+    for (int k = 0; k < 3; k++) {
+        ktg_vec2 along = ktg_unit2(ktg_sub2(face[(k + 1) % 3], face[k]));
+        double inside = -INFINITY;
+        for (int i = 0; i < 3; i++)
+            inside = fmax(inside, ktg_cross2(along, ktg_sub2(other[i], face[k])));
+        if (inside <= crossing_depth)
+            return true;
+    }
+    return false;
+}
+
+static bool lie_on_each_other(const flat_face *a, const flat_face *b) {
+    return a->low_across < b->high_across && b->low_across < a->high_across &&
+           !edge_parts(a->corners, b->corners) && !edge_parts(b->corners, a->corners);
+}
+
+static bool find_double(flat_face *faces, uint32_t count, uint32_t vertices[2]) {
+    qsort(faces, count, sizeof *faces, by_low_end);
+    for (uint32_t i = 0; i < count; i++)
+        for (uint32_t j = i + 1; j < count && faces[j].low < faces[i].high; j++)
+            if ((faces[i].at_border || faces[j].at_border) &&
+                lie_on_each_other(&faces[i], &faces[j])) {
+                vertices[0] = faces[i].vertex;
+                vertices[1] = faces[j].vertex;
+                return true;
+            }
+    return false;
+}
+
+/* ---- all ---------------------------------------------------------------------------------- */
+
 ktg_status ktg_panel_find_crossing(ktg_context *context, const ktg_panel *panel,
                                    const ktg_vec2 *flat, bool *crossed, uint32_t vertices[2]) {
     border_segment *segments = ktg_new(context, panel->adjacency->halfedge_count, border_segment);
-    if (!segments)
-        return KTG_MEMORY;
-    *crossed = find_overfull(panel, flat, vertices) ||
-               find_crossing(segments, list_border(panel, flat, segments), vertices);
+    flat_face *faces = ktg_new(context, panel->face_count, flat_face);
+    ktg_status status = segments && faces ? KTG_OK : KTG_MEMORY;
+    if (status == KTG_OK) {
+        list_faces(panel, flat, faces);
+        *crossed = find_overfull(panel, flat, vertices) ||
+                   find_crossing(segments, list_border(panel, flat, segments), vertices) ||
+                   find_double(faces, panel->face_count, vertices);
+    }
     ktg_free(segments);
-    return KTG_OK;
+    ktg_free(faces);
+    return status;
 }
 
 ktg_status ktg_panel_check_overlap(ktg_context *context, const ktg_panel *panel,

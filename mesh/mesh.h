@@ -212,6 +212,15 @@ typedef struct ktg_mesh_report {
 KTG_API KTG_NODISCARD ktg_status ktg_mesh_check(ktg_context *context, const ktg_mesh *mesh,
                                                 bool intersections, ktg_mesh_report *report);
 
+/* How many times its own extent a model may be away from the origin: beyond, the rounding of its
+ * coordinates is more than patterns are proven to (1e-9). */
+#define KTG_MESH_MOST_AWAY 1e7
+
+/* The largest side of the box around the faces. KTG_GEOMETRY where it is nothing, beyond 1e75, or
+ * less than a KTG_MESH_MOST_AWAY-th of the largest coordinate: no pattern can be made of that. */
+KTG_API KTG_NODISCARD ktg_status ktg_mesh_check_extent(ktg_context *context, const ktg_mesh *mesh,
+                                                       double *extent);
+
 /* What a repair did. */
 typedef struct ktg_repair_report {
     uint32_t duplicate_faces_removed, degenerate_faces_removed, unreferenced_vertices_removed;

@@ -74,18 +74,32 @@ static void write_facts(const ktg_build_guide *g, ktg_column *at) {
                     false);
 }
 
+static bool has_numbers(const ktg_build_guide *g) {
+    for (uint32_t k = 0; k < g->step_count; k++)
+        if (g->steps[k].low > 0)
+            return true;
+    return false;
+}
+
 static void write_rules(const ktg_build_guide *g, ktg_column *at) {
     if (g->step_count == 0)
         return;
     ktg_column_wrap(at, KTG_FACE_PLAIN, TEXT_MM,
-                    "Score the folds, cut, and fold everything once, tabs too. Then glue the seams "
-                    "in the order of their numbers, tab under edge.",
+                    has_numbers(g)
+                        ? "Score the folds, cut, and fold everything once, tabs too. Then glue the "
+                          "seams in the order of their numbers, tab under edge."
+                        : "Score the folds, cut, and fold everything once, tabs too. Then glue the "
+                          "seams step by step, tab under edge.",
                     false);
     ktg_column_wrap(at, KTG_FACE_PLAIN, TEXT_MM,
                     "Begin a seam at the end where the paper is closed already, and close it from "
-                    "there like a zip. Edges without a number meet in a narrow notch: close it as "
-                    "soon as a seam comes to it.",
+                    "there like a zip.",
                     false);
+    if (has_numbers(g))
+        ktg_column_wrap(at, KTG_FACE_PLAIN, TEXT_MM,
+                        "Edges without a number meet in narrow notches (thin red lines here): "
+                        "close those beside a seam before the seam.",
+                        false);
     if (g->drawing->pattern->piece_count > 1 && ktg_guide_has_bodies(g))
         ktg_column_wrap(at, KTG_FACE_PLAIN, TEXT_MM,
                         "Bodies that no seam joins are built one by one; put them together as the "

@@ -77,13 +77,12 @@ void ktg_words_title(const ktg_build_guide *guide, uint32_t step, char text[KTG_
     const ktg_step *s = &guide->steps[step];
     char range[32];
     ktg_words_range(s->low, s->high, range);
+    bool last = s->closing > 0 && guide->step_count > 1 && !ktg_guide_has_bodies(guide);
     snprintf(text, KTG_WORDS_SIZE, "%u. %s%s%s", step + 1,
-             !*range             ? "Without numbers"
+             !*range             ? "Seams without numbers"
              : s->low == s->high ? "Seam "
                                  : "Seams ",
-             range,
-             s->closing > 0 && guide->step_count > 1 && !ktg_guide_has_bodies(guide) ? ", the last"
-                                                                                     : "");
+             range, last ? ", the last" : "");
 }
 
 void ktg_words_missing(const ktg_build_guide *guide, uint32_t step, char text[KTG_WORDS_SIZE]) {

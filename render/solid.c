@@ -4,21 +4,26 @@
 
 #include "core/memory.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
-#define MOST_EDGED 20000 /* faces: of more, folds would be all one sees */
-#define NAME_MM    1.9
-#define LEAST_MM   1.5  /* pieces of which one sees a smaller square have no name */
-#define TURN       0.55 /* radians: the eye is so far to the right of the front ... */
-#define RISE       0.4  /* ... and above */
+#define MOST_EDGED  20000 /* faces: of more, folds would be all one sees */
+#define NAME_MM     1.9
+#define MANY_PIECES 10   /* then "2 of 12" is only called 2 */
+#define LEAST_MM    1.5  /* pieces of which one sees a smaller square have no name */
+#define TURN        0.55 /* radians: the eye is so far to the right of the front ... */
+#define RISE        0.4  /* ... and above */
 
 /* What is drawn along a face's side. */
 typedef enum side_look { SIDE_PLAIN, SIDE_FOLD, SIDE_CUT, SIDE_PIECE } side_look;
+
+#define DOT_MM (25.4 / 200)
 
 typedef struct solid {
     const ktg_drawing *drawing;
     uint32_t *piece_of; /* face_count; KTG_NONE */
     uint8_t *looks;     /* 3 face_count: side_look */
+    double dot;         /* about how wide a dot of the picture is, in the surface's unit */
 } solid;
 
 /* Of each piece: how many dots are seen, their middle, and the dot nearest to that. */
@@ -30,10 +35,36 @@ typedef struct sight {
 
 /* ---- looks -------------------------------------------------------------------------------- */
 
+/* The weights of the face's corners change by this from dot to dot along its edges from the first
+ * one. */
+static void set_steps(const solid *s, ktg_paint_dot *dot) {
+    const ktg_pattern *pattern = s->drawing->pattern;
+    const uint32_t *c = pattern->faces + 3 * (size_t)dot->face;
+    ktg_vec3 at = pattern->vertices[c[0]];
+    double right = ktg_length3(ktg_sub3(pattern->vertices[c[1]], at)),
+           down = ktg_length3(ktg_sub3(pattern->vertices[c[2]], at));
+    dot->right[1] = right > 0 ? s->dot / right : 0;
+    dot->right[0] = -dot->right[1];
+    dot->down[2] = down > 0 ? s->dot / down : 0;
+    dot->down[0] = -dot->down[2];
+}
+
+/* The model's own colours; white where memory runs out. */
+static uint32_t paint_of(const solid *s, uint32_t face, const double weights[3]) {
+    ktg_paint_dot dot = {
+        .face = face, .weights = {weights[0], weights[1], weights[2]}, .near = KTG_NONE};
+    uint8_t rgb[3];
+    set_steps(s, &dot);
+    if (ktg_paint_colour(s->drawing->context, s->drawing->options.paint, &dot, rgb) != KTG_OK)
+        return 0xffffff;
+    return (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2];
+}
+
 static uint32_t colour_of(const void *user, uint32_t face, const double weights[3]) {
     const solid *s = user;
     uint32_t piece = s->piece_of[face];
-    (void)weights;
+    if (s->drawing->options.paint)
+        return paint_of(s, face, weights);
     if (s->drawing->tints)
         return s->drawing->tints[face];
     if (!s->drawing->piece_tints || piece == KTG_NONE)
@@ -115,7 +146,9 @@ static void measure_pieces(const solid *s, const ktg_view *view, sight *sights) 
 }
 
 static void name_piece(const ktg_drawing *drawing, uint32_t piece, ktg_callout *callout) {
-    if (drawing->pattern->component_count == 1)
+    if (drawing->pattern->component_count == 1 && drawing->pattern->piece_count >= MANY_PIECES)
+        snprintf(callout->text, sizeof callout->text, "%u", piece + 1);
+    else if (drawing->pattern->component_count == 1)
         ktg_drawing_piece_part(drawing, piece, callout->text);
     else
         ktg_drawing_piece_name(drawing, piece, callout->text);
@@ -155,7 +188,7 @@ bool ktg_solid_is_wanted(const ktg_drawing *drawing) {
     return drawing->pattern->mode == KTG_PAPER && drawing->pattern->piece_count > 1;
 }
 
-static ktg_status draw(const solid *s, cairo_t *cairo, ktg_area area, bool from_behind,
+static ktg_status draw(solid *s, cairo_t *cairo, ktg_area area, bool from_behind,
                        ktg_picture *picture) {
     const ktg_pattern *pattern = s->drawing->pattern;
     ktg_eye eye = ktg_eye_at(s->drawing->options.up, TURN + (from_behind ? KTG_PI : 0), RISE);
@@ -163,6 +196,8 @@ static ktg_status draw(const solid *s, cairo_t *cairo, ktg_area area, bool from_
     ktg_area seen;
     if (!ktg_view_extent(pattern, NULL, &eye, &seen))
         return KTG_OK;
+    s->dot = DOT_MM * fmax((seen.x1 - seen.x0) / (area.x1 - area.x0),
+                           (seen.y1 - seen.y0) / (area.y1 - area.y0));
     KTG_TRY(ktg_picture_draw(s->drawing->context, pattern, NULL, &eye, seen, &look, cairo, area,
                              picture));
     return pattern->piece_count > 1 ? write_names(s, picture, cairo, area) : KTG_OK;
@@ -172,7 +207,7 @@ ktg_status ktg_solid_picture(const ktg_drawing *drawing, cairo_t *cairo, ktg_are
                              bool from_behind, ktg_picture *picture) {
     const ktg_pattern *pattern = drawing->pattern;
     solid s = {drawing, ktg_new(drawing->context, pattern->face_count, uint32_t),
-               ktg_new(drawing->context, 3 * (size_t)pattern->face_count, uint8_t)};
+               ktg_new(drawing->context, 3 * (size_t)pattern->face_count, uint8_t), 0};
     ktg_status status = s.piece_of && s.looks ? KTG_OK : KTG_MEMORY;
     *picture = (ktg_picture){.mm = 0};
     if (status == KTG_OK) {

@@ -94,7 +94,8 @@ static inline ktg_vec2 ktg_picture_point(const ktg_picture *picture, ktg_vec2 do
 
 /* Draws what of the model (the faces shown) is within `frame`, a box of what the eye sees, into an
  * area of the page: as large as fits there, in its middle; at about 200 dots an inch, in an image
- * at that image's own. Nothing is drawn, and the view has no faces, where all is in one point. Free picture->view with ktg_view_drop, also after a failure. */
+ * at that image's own. Nothing is drawn, and the view has no faces, where all is in one point. Free
+ * picture->view with ktg_view_drop, also after a failure. */
 KTG_NODISCARD ktg_status ktg_picture_draw(ktg_context *context, const ktg_pattern *pattern,
                                           const bool *shown, const ktg_eye *eye, ktg_area frame,
                                           const ktg_look *look, cairo_t *cairo, ktg_area area,

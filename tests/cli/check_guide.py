@@ -13,7 +13,7 @@ import shutil
 import subprocess
 import sys
 
-TITLE = re.compile(r'^(\d+)\. (?:Seams? (\d+)(?:\u2013(\d+))?|Without numbers)', re.M)
+TITLE = re.compile(r'^(\d+)\. (?:Seams? (\d+)(?:\u2013(\d+))?|Seams without numbers)', re.M)
 
 
 def text_of(pdf):

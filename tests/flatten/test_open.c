@@ -21,6 +21,16 @@ static void a_sphere_is_slit_from_end_to_end(void **state) {
     open_and_check(*state, &g, 3, 4);
 }
 
+/* A slit of one edge opens nothing; of its corners, no two are further apart. */
+static void a_tetrahedron_is_slit_along_two_edges(void **state) {
+    static const double positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+    static const uint32_t faces[] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
+    ktg_mesh *mesh;
+    assert_int_equal(ktg_mesh_new(*state, positions, 4, faces, 4, &mesh), KTG_OK);
+    garment g = garment_new(*state, mesh);
+    open_and_check(*state, &g, 2 - 1e-9, 1 + sqrt(2) + 1e-9);
+}
+
 static void a_torus_is_cut_around_and_along(void **state) {
     lattice *const points[] = {ring};
     garment g = lattices(*state, points, 1, 20);
@@ -85,6 +95,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         TEST(a_tube_is_slit_along),
         TEST(a_sphere_is_slit_from_end_to_end),
+        TEST(a_tetrahedron_is_slit_along_two_edges),
         TEST(a_torus_is_cut_around_and_along),
         TEST(holes_are_joined_to_the_border),
         TEST(many_holes_are_joined_at_once),
