@@ -25,13 +25,17 @@ KTG_NODISCARD ktg_status ktg_halfedges_new(ktg_context *context, const ktg_mesh 
 void ktg_halfedges_free(ktg_halfedges **halfedges);
 
 /* The faces around a vertex, and the vertices; valid until the next call of the same function. */
-uint32_t ktg_halfedges_faces(ktg_halfedges *halfedges, uint32_t vertex, const uint32_t **faces);
-uint32_t ktg_halfedges_neighbours(ktg_halfedges *halfedges, uint32_t vertex,
-                                  const uint32_t **vertices);
+KTG_NODISCARD ktg_status ktg_halfedges_faces(ktg_context *context, ktg_halfedges *halfedges,
+                                             uint32_t vertex, const uint32_t **faces,
+                                             uint32_t *count);
+KTG_NODISCARD ktg_status ktg_halfedges_neighbours(ktg_context *context, ktg_halfedges *halfedges,
+                                                  uint32_t vertex, const uint32_t **vertices,
+                                                  uint32_t *count);
 bool ktg_halfedges_is_border(const ktg_halfedges *halfedges, uint32_t vertex);
 
 /* Whether `from` may move onto its neighbour `to` without a change of topology. */
-bool ktg_halfedges_may_collapse(ktg_halfedges *halfedges, uint32_t from, uint32_t to);
+KTG_NODISCARD ktg_status ktg_halfedges_may_collapse(ktg_context *context, ktg_halfedges *halfedges,
+                                                    uint32_t from, uint32_t to, bool *may);
 
 /* Does it; the faces that were on both are gone. */
 void ktg_halfedges_collapse(ktg_halfedges *halfedges, uint32_t from, uint32_t to);

@@ -75,21 +75,29 @@ extern "C" void ktg_halfedges_free(ktg_halfedges **halfedges) {
     }
 }
 
-extern "C" uint32_t ktg_halfedges_faces(ktg_halfedges *h, uint32_t vertex, const uint32_t **faces) {
-    h->faces.clear();
-    for (auto it = h->mesh.cvf_iter(handle(vertex)); it.is_valid(); ++it)
-        h->faces.push_back(static_cast<uint32_t>(it->idx()));
-    *faces = h->faces.data();
-    return static_cast<uint32_t>(h->faces.size());
+extern "C" ktg_status ktg_halfedges_faces(ktg_context *context, ktg_halfedges *h, uint32_t vertex,
+                                          const uint32_t **faces, uint32_t *count) {
+    return ktg_guard(context, "faces around a vertex", [&]() -> ktg_status {
+        h->faces.clear();
+        for (auto it = h->mesh.cvf_iter(handle(vertex)); it.is_valid(); ++it)
+            h->faces.push_back(static_cast<uint32_t>(it->idx()));
+        *faces = h->faces.data();
+        *count = static_cast<uint32_t>(h->faces.size());
+        return KTG_OK;
+    });
 }
 
-extern "C" uint32_t ktg_halfedges_neighbours(ktg_halfedges *h, uint32_t vertex,
-                                             const uint32_t **vertices) {
-    h->vertices.clear();
-    for (auto it = h->mesh.cvv_iter(handle(vertex)); it.is_valid(); ++it)
-        h->vertices.push_back(static_cast<uint32_t>(it->idx()));
-    *vertices = h->vertices.data();
-    return static_cast<uint32_t>(h->vertices.size());
+extern "C" ktg_status ktg_halfedges_neighbours(ktg_context *context, ktg_halfedges *h,
+                                               uint32_t vertex, const uint32_t **vertices,
+                                               uint32_t *count) {
+    return ktg_guard(context, "vertices around a vertex", [&]() -> ktg_status {
+        h->vertices.clear();
+        for (auto it = h->mesh.cvv_iter(handle(vertex)); it.is_valid(); ++it)
+            h->vertices.push_back(static_cast<uint32_t>(it->idx()));
+        *vertices = h->vertices.data();
+        *count = static_cast<uint32_t>(h->vertices.size());
+        return KTG_OK;
+    });
 }
 
 extern "C" bool ktg_halfedges_is_border(const ktg_halfedges *h, uint32_t vertex) {
@@ -102,13 +110,21 @@ static bool may_lose_a_neighbour(const Mesh &mesh, Mesh::VertexHandle vertex) {
     return !vertex.is_valid() || mesh.is_boundary(vertex) || mesh.valence(vertex) > 3;
 }
 
-extern "C" bool ktg_halfedges_may_collapse(ktg_halfedges *h, uint32_t from, uint32_t to) {
-    Mesh::HalfedgeHandle edge = h->mesh.find_halfedge(handle(from), handle(to));
+static bool may_collapse(ktg_halfedges *h, Mesh::HalfedgeHandle edge) {
     if (!edge.is_valid())
         return false;
     Collapse collapse(h->mesh, edge);
     return may_lose_a_neighbour(h->mesh, collapse.vl) &&
            may_lose_a_neighbour(h->mesh, collapse.vr) && h->decimater->is_legal(collapse);
+}
+
+/* OpenMesh's test takes memory. */
+extern "C" ktg_status ktg_halfedges_may_collapse(ktg_context *context, ktg_halfedges *h,
+                                                 uint32_t from, uint32_t to, bool *may) {
+    return ktg_guard(context, "half-edges", [&]() -> ktg_status {
+        *may = may_collapse(h, h->mesh.find_halfedge(handle(from), handle(to)));
+        return KTG_OK;
+    });
 }
 
 extern "C" void ktg_halfedges_collapse(ktg_halfedges *h, uint32_t from, uint32_t to) {

@@ -45,7 +45,8 @@ static ktg_status gather(ktg_simplify *s, const ktg_candidate *c, ktg_vec3 posit
     s->changed_count = 0;
     for (int pass = 0; pass < 3; pass++) {
         uint32_t vertex = pass == 1 ? c->to : c->from, other = pass == 1 ? c->from : c->to;
-        uint32_t count = ktg_halfedges_faces(s->halfedges, vertex, &around);
+        uint32_t count;
+        KTG_TRY(ktg_halfedges_faces(s->context, s->halfedges, vertex, &around, &count));
         for (uint32_t i = 0; i < count; i++) {
             if (has_corner(s->faces + 3 * (size_t)around[i], other) != (pass == 2))
                 continue;

@@ -35,8 +35,8 @@ typedef struct ktg_place {
 } ktg_place;
 
 /* Finds the file `name` that the file `from` (a path) refers to: from its folder, with \ for / too,
- * else by its bare name in that folder. *path is freed with ktg_free; NULL when there is none that
- * may be read, and *why says why ("is not there"). */
+ * else by its bare name in that folder. *path, without links, is freed with ktg_free; NULL when
+ * there is none that may be read, and *why says why ("is not there"). */
 KTG_NODISCARD ktg_status ktg_place_find(ktg_context *context, const ktg_place *place,
                                         const char *from, const char *name, char **path,
                                         const char **why);

@@ -63,8 +63,10 @@ static ktg_status try_name(ktg_context *context, const ktg_place *place, const c
         return KTG_MEMORY;
     const char *refused = refusal(place, tried);
     if (!refused) {
-        *path = tried;
-        return KTG_OK;
+        char real[PATH_MAX];
+        *path = ktg_copy_text(context, realpath(tried, real) ? real : tried, SIZE_MAX);
+        ktg_free(tried);
+        return *path ? KTG_OK : KTG_MEMORY;
     }
     if (!*why || strcmp(*why, "is not there") == 0)
         *why = refused;

@@ -8,6 +8,8 @@
 #include <string.h>
 #include <strings.h>
 
+#define SMALL_IMAGE ((uint64_t)1 << 20)
+
 /* What reading takes along. */
 typedef struct reading {
     ktg_context *context;
@@ -19,6 +21,7 @@ typedef struct reading {
     size_t first_capacity;
     char **libraries; /* paths */
     size_t library_count, library_capacity;
+    uint64_t dots; /* of all images */
     ktg_paint_report *report;
 } reading;
 
@@ -105,6 +108,18 @@ static ktg_status for_each_line(reading *r, const char *text,
 
 /* ---- images -------------------------------------------------------------------------------- */
 
+/* Together, images take no more room than the largest one may; small ones stay as they are. */
+static void make_room(reading *r, ktg_image *image) {
+    for (;;) {
+        uint64_t dots = (uint64_t)image->levels[0].width * image->levels[0].height;
+        if (dots <= SMALL_IMAGE || r->dots + dots <= KTG_IMAGE_MOST) {
+            r->dots += dots;
+            return;
+        }
+        ktg_image_shrink(image);
+    }
+}
+
 /* The image at `path` (taken over), read once however many materials share it. */
 static ktg_status share_image(reading *r, char *path, const ktg_image **image) {
     ktg_paint *paint = r->paint;
@@ -126,6 +141,7 @@ static ktg_status share_image(reading *r, char *path, const ktg_image **image) {
         ktg_free(path);
         return status;
     }
+    make_room(r, made);
     paint->images[paint->image_count] = made;
     paint->image_paths[paint->image_count++] = path;
     *image = made;

@@ -58,6 +58,10 @@ struct ktg_build_guide {
 
 /* Fills the tables. */
 KTG_NODISCARD ktg_status ktg_guide_find_steps(ktg_build_guide *guide);
+/* Fills `stage`, once the other tables are there (build_stages.c). */
+KTG_NODISCARD ktg_status ktg_guide_find_stages(ktg_build_guide *guide);
+/* The step of a seam, from 1; 0 where nobody said. */
+uint32_t ktg_guide_step_of(const ktg_build_guide *guide, size_t seam);
 
 /* ---- build_words.c ------------------------------------------------------------------------ */
 

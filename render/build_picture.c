@@ -19,10 +19,9 @@ typedef struct step_look {
     uint32_t step; /* from 1 */
 } step_look;
 
-static uint32_t step_colour(const void *user, uint32_t face, const double weights[3]) {
+static uint32_t step_colour(const void *user, const ktg_seen_dot *dot) {
     const step_look *look = user;
-    uint32_t stage = look->guide->stage[face];
-    (void)weights;
+    uint32_t stage = look->guide->stage[dot->face];
     return ktg_drawing_colour(look->guide->drawing, stage == look->step  ? KTG_GUIDE_NOW
                                                     : stage < look->step ? KTG_GUIDE_BEFORE
                                                                          : KTG_GUIDE_OPEN);
