@@ -50,12 +50,11 @@ static ktg_vec3 from_frame(const ktg_simplify *s, ktg_vec3 p) {
     return ktg_add3(ktg_mul3(p, 1 / s->scale), s->centre);
 }
 
-/* The normal of the surface at a vertex, of length 1. */
-static ktg_status normal_at(const ktg_simplify *s, uint32_t vertex, ktg_vec3 *unit) {
+/* The normal of the surface at a vertex, of any length. */
+static ktg_vec3 normal_at(const ktg_simplify *s, uint32_t vertex) {
     const uint32_t *faces;
-    uint32_t count;
+    uint32_t count = ktg_halfedges_faces(s->halfedges, vertex, &faces);
     ktg_vec3 normal = {0, 0, 0};
-    KTG_TRY(ktg_halfedges_faces(s->context, s->halfedges, vertex, &faces, &count));
     for (uint32_t i = 0; i < count; i++) {
         const uint32_t *c = s->faces + 3 * (size_t)faces[i];
         ktg_vec3 p = to_frame(s, s->positions[c[0]]);
@@ -63,28 +62,21 @@ static ktg_status normal_at(const ktg_simplify *s, uint32_t vertex, ktg_vec3 *un
         ktg_vec3 v = ktg_sub3(to_frame(s, s->positions[c[2]]), p);
         normal = ktg_add3(normal, ktg_cross3(u, v));
     }
-    *unit = ktg_unit3(normal);
-    return KTG_OK;
+    return ktg_unit3(normal);
 }
 
-/* The position of least error, in the frame; *found is false where there is none to choose from. A
- * vertex of a seam that others join keeps its place on the seam and only rises or sinks. */
-static ktg_status choose_best(const ktg_simplify *s, const ktg_candidate *c, const ktg_quadric *q,
-                              ktg_vec3 *best, bool *found) {
+/* The position of least error, in the frame; false where there is none to choose from. A vertex of
+ * a seam that others join keeps its place on the seam and only rises or sinks. */
+static bool choose_best(const ktg_simplify *s, const ktg_candidate *c, const ktg_quadric *q,
+                        ktg_vec3 *best) {
     ktg_vec3 a = to_frame(s, s->positions[c->from]), b = to_frame(s, s->positions[c->to]);
     ktg_vec3 middle = ktg_mul3(ktg_add3(a, b), 0.5);
-    ktg_vec3 normal;
-    *found = false;
     if (s->border[c->to] || s->locked[c->to])
-        return KTG_OK;
-    if (ktg_simplify_bond(s, c->to) > ktg_simplify_bond(s, c->from)) {
-        KTG_TRY(normal_at(s, c->to, &normal));
-        *found = ktg_quadric_least_along(q, b, normal, best);
-    } else {
-        *found = ktg_quadric_least(q, middle, best);
-    }
-    *found = *found && ktg_length3(ktg_sub3(*best, middle)) <= 2 * ktg_length3(ktg_sub3(b, a));
-    return KTG_OK;
+        return false;
+    bool found = ktg_simplify_bond(s, c->to) > ktg_simplify_bond(s, c->from)
+                     ? ktg_quadric_least_along(q, b, normal_at(s, c->to), best)
+                     : ktg_quadric_least(q, middle, best);
+    return found && ktg_length3(ktg_sub3(*best, middle)) <= 2 * ktg_length3(ktg_sub3(b, a));
 }
 
 /* Whether `from` may go, and along this edge. */
@@ -94,34 +86,30 @@ static bool may_go(const ktg_simplify *s, const ktg_candidate *c) {
            bond != KTG_SEAM_JUNCTION && ktg_simplify_bond(s, c->to) >= bond;
 }
 
-/* The position and the cost of candidate->choice, or of the next one where it is impossible; *found
- * is false when there is none. */
-static ktg_status choose(const ktg_simplify *s, ktg_candidate *c, ktg_vec3 *position, bool *found) {
-    *found = false;
+/* The position and the cost of candidate->choice, or of the next one where it is impossible; false
+ * when there is none. */
+static bool choose(const ktg_simplify *s, ktg_candidate *c, ktg_vec3 *position) {
     if (!may_go(s, c))
-        return KTG_OK;
+        return false;
     ktg_quadric q = ktg_quadric_sum(&s->quadrics[c->from], &s->quadrics[c->to]);
     ktg_vec3 best;
     bool fixed = s->locked[c->to] || (s->border[c->to] && !s->border[c->from]) ||
                  ktg_simplify_bond(s, c->to) > ktg_simplify_bond(s, c->from);
-    if (c->choice == 0)
-        KTG_TRY(choose_best(s, c, &q, &best, found));
-    if (*found) {
+    if (c->choice == 0 && choose_best(s, c, &q, &best)) {
         *position = from_frame(s, best);
         c->cost = ktg_quadric_error(&q, best);
-        return KTG_OK;
+        return true;
     }
     if (c->choice == 0)
         c->choice = 1;
     if (c->choice > (fixed ? 1 : 2))
-        return KTG_OK;
+        return false;
     double at_from = ktg_quadric_error(&q, to_frame(s, s->positions[c->from]));
     double at_to = ktg_quadric_error(&q, to_frame(s, s->positions[c->to]));
     bool use_to = fixed || (at_to <= at_from) == (c->choice == 1);
     *position = s->positions[use_to ? c->to : c->from];
     c->cost = use_to ? at_to : at_from;
-    *found = true;
-    return KTG_OK;
+    return true;
 }
 
 /* Who is to stay. */
@@ -139,9 +127,7 @@ static ktg_status push_edge(ktg_simplify *s, uint32_t a, uint32_t b) {
     bool swap = rank_a == rank_b ? a > b : rank_b > rank_a;
     ktg_candidate c = {.to = swap ? b : a, .from = swap ? a : b};
     c.stamp = s->stamps[a] + s->stamps[b];
-    bool found;
-    KTG_TRY(choose(s, &c, &position, &found));
-    return found ? push(s, &c) : KTG_OK;
+    return choose(s, &c, &position) ? push(s, &c) : KTG_OK;
 }
 
 static ktg_status push_all(ktg_simplify *s) {
@@ -208,11 +194,8 @@ static ktg_status collapse(ktg_simplify *s, const ktg_candidate *c, ktg_vec3 pos
 static ktg_status step(ktg_simplify *s) {
     ktg_candidate c = pop(s);
     ktg_vec3 position;
-    bool allowed = false, found;
-    if (c.stamp != s->stamps[c.from] + s->stamps[c.to])
-        return KTG_OK;
-    KTG_TRY(choose(s, &c, &position, &found));
-    if (!found)
+    bool allowed = false;
+    if (c.stamp != s->stamps[c.from] + s->stamps[c.to] || !choose(s, &c, &position))
         return KTG_OK;
     KTG_TRY(ktg_halfedges_may_collapse(s->context, s->halfedges, c.from, c.to, &allowed));
     if (!allowed)
@@ -221,8 +204,7 @@ static ktg_status step(ktg_simplify *s) {
     if (allowed)
         return collapse(s, &c, position);
     c.choice++;
-    KTG_TRY(choose(s, &c, &position, &found));
-    return found ? push(s, &c) : KTG_OK;
+    return choose(s, &c, &position) ? push(s, &c) : KTG_OK;
 }
 
 static void tell_progress(const ktg_simplify *s, uint32_t target_faces) {

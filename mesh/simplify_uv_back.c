@@ -74,9 +74,8 @@ static void try_uv(ktg_simplify *s, const uint32_t *faces, uint32_t count, uint3
 
 static ktg_status refine_vertex(ktg_simplify *s, const ktg_closest *closest, uint32_t vertex) {
     const uint32_t *faces;
-    uint32_t count, at = KTG_NONE;
+    uint32_t count = ktg_halfedges_faces(s->halfedges, vertex, &faces), at = KTG_NONE;
     ktg_vec3 point;
-    KTG_TRY(ktg_halfedges_faces(s->context, s->halfedges, vertex, &faces, &count));
     if (count == 0 || !is_in_chart(s, faces, count, vertex))
         return KTG_OK;
     KTG_TRY(ktg_closest_point(s->context, closest, s->positions[vertex], &point, &at));
