@@ -11,9 +11,10 @@
 #define PI              3.14159265358979323846
 #define LONGEST_PAGE_MM 5000
 
-#define PAPER   (CMD_UNFOLD | CMD_FLATTEN)
-#define EVERY   (PAPER | CMD_DEFORM | CMD_SIMPLIFY | CMD_INFO | CMD_VERIFY | CMD_WARP)
-#define LARGEST 1e9
+#define PAPER         (CMD_UNFOLD | CMD_FLATTEN)
+#define EVERY         (PAPER | CMD_DEFORM | CMD_SIMPLIFY | CMD_INFO | CMD_VERIFY | CMD_WARP)
+#define LARGEST       1e9
+#define LEAST_SIZE_MM 1e-6 /* of a finished model */
 
 static bool parse_number(const char *text, double least, double most, double *number) {
     char *end;
@@ -138,7 +139,7 @@ static bool note_size(settings *s, ktg_size_rule rule, const char *option) {
 
 static bool set_size(settings *s, ktg_size_rule rule, const char *option, const char *text) {
     return note_size(s, rule, option) && cli_parse_length(text, &s->pipeline.size_mm) &&
-           s->pipeline.size_mm > 0;
+           s->pipeline.size_mm >= LEAST_SIZE_MM;
 }
 
 static bool set_height(settings *s, const char *text) {

@@ -31,10 +31,12 @@ uint32_t ktg_halfedges_neighbours(ktg_halfedges *halfedges, uint32_t vertex,
 bool ktg_halfedges_is_border(const ktg_halfedges *halfedges, uint32_t vertex);
 
 /* Whether `from` may move onto its neighbour `to` without a change of topology. */
-bool ktg_halfedges_may_collapse(ktg_halfedges *halfedges, uint32_t from, uint32_t to);
+KTG_NODISCARD ktg_status ktg_halfedges_may_collapse(ktg_context *context, ktg_halfedges *halfedges,
+                                                    uint32_t from, uint32_t to, bool *may);
 
 /* Does it; the faces that were on both are gone. */
-void ktg_halfedges_collapse(ktg_halfedges *halfedges, uint32_t from, uint32_t to);
+KTG_NODISCARD ktg_status ktg_halfedges_collapse(ktg_context *context, ktg_halfedges *halfedges,
+                                                uint32_t from, uint32_t to);
 
 /* ---- the state of a simplification ---------------------------------------------------------- */
 

@@ -165,7 +165,7 @@ ktg_status ktg_simplify_box_faces(ktg_simplify *s) {
 static ktg_status collapse(ktg_simplify *s, const ktg_candidate *c, ktg_vec3 position) {
     const uint32_t *around;
     s->quadrics[c->to] = ktg_quadric_sum(&s->quadrics[c->to], &s->quadrics[c->from]);
-    ktg_halfedges_collapse(s->halfedges, c->from, c->to);
+    KTG_TRY(ktg_halfedges_collapse(s->context, s->halfedges, c->from, c->to));
     ktg_simplify_blend_colours(s, c, position);
     ktg_simplify_move_uvs(s, c);
     s->positions[c->to] = position;
@@ -195,8 +195,10 @@ static ktg_status step(ktg_simplify *s) {
     ktg_candidate c = pop(s);
     ktg_vec3 position;
     bool allowed = false;
-    if (c.stamp != s->stamps[c.from] + s->stamps[c.to] || !choose(s, &c, &position) ||
-        !ktg_halfedges_may_collapse(s->halfedges, c.from, c.to))
+    if (c.stamp != s->stamps[c.from] + s->stamps[c.to] || !choose(s, &c, &position))
+        return KTG_OK;
+    KTG_TRY(ktg_halfedges_may_collapse(s->context, s->halfedges, c.from, c.to, &allowed));
+    if (!allowed)
         return KTG_OK;
     KTG_TRY(ktg_simplify_allowed(s, &c, position, &allowed));
     if (allowed)

@@ -3,6 +3,7 @@
 #include "pattern/cloth_labels.h"
 
 #include "core/memory.h"
+#include "core/text.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -202,9 +203,10 @@ static block block_of(const ktg_label_sheet *sheet, uint32_t p, tally printed) {
     if (sheet->pattern->piece_count > 1)
         snprintf(add_line(&b, 0.5), TEXT_SIZE, "piece %u of %u", printed.number, printed.count);
     char *allowances = add_line(&b, 0.4);
-    int length = snprintf(allowances, TEXT_SIZE, "with %.4g mm", options->allowance_mm);
+    int length = ktg_format(allowances, TEXT_SIZE, "with %.4g mm", options->allowance_mm);
     if (has_hem(sheet->topology, p) && length > 0 && (size_t)length < TEXT_SIZE)
-        snprintf(allowances + length, TEXT_SIZE - (size_t)length, ", hem %.4g mm", options->hem_mm);
+        ktg_format(allowances + length, TEXT_SIZE - (size_t)length, ", hem %.4g mm",
+                   options->hem_mm);
     return b;
 }
 

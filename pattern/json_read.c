@@ -414,7 +414,8 @@ static ktg_status parse(ktg_context *context, const char *path, const char *byte
     *root = json_loadb(bytes, size, JSON_REJECT_DUPLICATES, &error);
     if (*root)
         return KTG_OK;
-    if (json_error_code(&error) == json_error_out_of_memory)
+    bool no_place = error.line < 0; /* it did not come as far as the first character */
+    if (no_place || json_error_code(&error) == json_error_out_of_memory)
         return ktg_fail(context, KTG_MEMORY, "%s: out of memory", path);
     for (char *c = error.text; *c; c++)
         if (*c < ' ' || *c > '~')

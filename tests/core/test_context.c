@@ -32,6 +32,24 @@ static void a_failure_leaves_its_text(void **state) {
     assert_string_equal(ktg_status_name((ktg_status)99), "unknown");
 }
 
+static void a_long_message_keeps_its_beginning_and_its_end(void **state) {
+    ktg_context *context = *state;
+    size_t length = 30000;
+    char *path = calloc(length + 1, 1);
+    for (size_t i = 0; i + 1 < length; i += 2)
+        memcpy(path + i, "\xc3\xa4", 2);
+    for (size_t shift = 0; shift < 2; shift++) { /* each cut falls into a character once */
+        ktg_fail(context, KTG_FILE, "%s%s: is missing%s", shift ? "x" : "", path, shift ? "!" : "");
+        const char *message = ktg_context_message(context), *dots = strstr(message, "...");
+        assert_non_null(dots);
+        assert_true(strlen(message) > 8000 && strlen(message) < 8192);
+        assert_string_equal(strstr(message, ": is"), shift ? ": is missing!" : ": is missing");
+        for (const char *at = message + shift; *at != ':'; at += *at == '.' ? 1 : 2)
+            assert_true(*at == '.' || (at[0] == '\xc3' && at[1] == '\xa4'));
+    }
+    free(path);
+}
+
 static void the_chosen_allocation_fails(void **state) {
     ktg_context *context = *state;
     ktg_context_fail_allocation(context, 2);
@@ -154,6 +172,8 @@ static void random_numbers_stay_the_same(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(a_failure_leaves_its_text, make_context, drop_context),
+        cmocka_unit_test_setup_teardown(a_long_message_keeps_its_beginning_and_its_end,
+                                        make_context, drop_context),
         cmocka_unit_test_setup_teardown(the_chosen_allocation_fails, make_context, drop_context),
         cmocka_unit_test_setup_teardown(arrays_grow_with_zeroed_items, make_context, drop_context),
         cmocka_unit_test_setup_teardown(an_output_appears_whole_or_not_at_all, make_context,
