@@ -96,8 +96,8 @@ static void write_rules(const ktg_build_guide *g, ktg_column *at) {
                           "seams step by step, tab under edge.",
                     false);
     ktg_column_wrap(at, KTG_FACE_PLAIN, TEXT_MM,
-                    "Begin a seam at the end where the paper is closed already, and close it from "
-                    "there like a zip.",
+                    "Begin a seam at the end where the paper is closed already (a dot in the "
+                    "pictures), and close it from there like a zip.",
                     false);
     if (has_numbers(g))
         ktg_column_wrap(at, KTG_FACE_PLAIN, TEXT_MM,

@@ -190,8 +190,10 @@ static ktg_status make_room(ktg_build_guide *g) {
     g->seam_of = ktg_new(context, 3 * (size_t)p->face_count, uint32_t);
     g->shown = ktg_new(context, p->face_count, bool);
     g->is_told = ktg_new(context, p->seam_count, bool);
+    g->starts = ktg_new(context, p->seam_count, uint32_t);
     if (!g->steps || !g->seams_in || !g->low || !g->high || !g->piece_of || !g->part_of ||
-        !g->first_step || !g->stage || !g->sides || !g->seam_of || !g->shown || !g->is_told)
+        !g->first_step || !g->stage || !g->sides || !g->seam_of || !g->shown || !g->starts ||
+        !g->is_told)
         return KTG_MEMORY;
     for (size_t f = 0; f < p->face_count; f++)
         g->piece_of[f] = KTG_NONE;
@@ -209,6 +211,7 @@ ktg_status ktg_guide_find_steps(ktg_build_guide *g) {
     fill_steps(g);
     limit_pictures(g);
     KTG_TRY(find_followed(g));
+    KTG_TRY(ktg_guide_find_starts(g));
     return ktg_guide_find_stages(g);
 }
 
@@ -228,6 +231,7 @@ void ktg_build_guide_free(ktg_build_guide **guide) {
     ktg_free(g->seam_of);
     ktg_free(g->shown);
     ktg_free(g->is_told);
+    ktg_free(g->starts);
     ktg_free(g);
     *guide = NULL;
 }
