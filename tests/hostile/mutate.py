@@ -51,7 +51,8 @@ def prepare(root, folder):
     if not copy.exists():
         subprocess.run(["git", "clone", "-q", root, copy], check=True)
     else:
-        subprocess.run(["git", "-C", copy, "checkout", "-q", "."], check=True)
+        subprocess.run(["git", "-C", copy, "fetch", "-q", "origin", "HEAD"], check=True)
+        subprocess.run(["git", "-C", copy, "checkout", "-q", "-f", "--detach", "FETCH_HEAD"], check=True)
     if not (build / "build.ninja").exists():
         subprocess.run(["meson", "setup", build, copy, "-Doptimization=1"], stdout=subprocess.DEVNULL, check=True)
     return copy, build
