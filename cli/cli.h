@@ -102,17 +102,14 @@ void cli_end_progress(void);
 /* Tells the context's failure on standard error; the exit code that goes with it. */
 exit_code cli_fail(ktg_context *context, ktg_status status);
 
-/* Prints text that came from a file or the command line: control characters and what is not UTF-8
- * become '?'. */
+/* Prints text that came from a file or the command line: control characters, marks that turn the
+ * direction of text, and what is not UTF-8 become '?'. */
 void cli_print_safe(FILE *stream, const char *text);
 
 /* The same for a text of several lines; each is indented. */
 void cli_print_lines(FILE *stream, const char *text);
 
 /* ---- commands (cli/command_*.c) ----------------------------------------------------------- */
-
-/* True when both paths name one file, or would. */
-bool cli_same_file(const char *a, const char *b);
 
 /* What every command does around its work: reads the options, shows the help (`usage`, then the
  * options), makes a context, calls `run`, tells a failure. */

@@ -1,16 +1,6 @@
 /* cli/command.c - what every command does around its work. */
 #include "cli/cli.h"
 
-#include <string.h>
-#include <sys/stat.h>
-
-bool cli_same_file(const char *a, const char *b) {
-    struct stat x, y;
-    if (strcmp(a, b) == 0)
-        return true;
-    return stat(a, &x) == 0 && stat(b, &y) == 0 && x.st_dev == y.st_dev && x.st_ino == y.st_ino;
-}
-
 exit_code cli_run(int argc, char **argv, int command, int most_arguments, const char *usage,
                   ktg_status (*run)(ktg_context *context, settings *s)) {
     settings s;

@@ -1,6 +1,7 @@
 /* cli/command_deform.c - katagami deform: a model changed as an edit file says. */
 #include "cli/cli.h"
 #include "core/memory.h"
+#include "core/target.h"
 
 #include <string.h>
 
@@ -26,19 +27,19 @@ typedef struct files {
 static ktg_status check_path(ktg_context *context, const settings *s, const char *path) {
     if (!path)
         return KTG_OK;
-    if (cli_same_file(path, s->arguments[0]))
+    if (ktg_target_same(path, s->arguments[0]))
         return ktg_fail(context, KTG_ARGUMENT, "%s: is the model itself; name another output",
                         path);
-    if (cli_same_file(path, s->pipeline.edit))
+    if (ktg_target_same(path, s->pipeline.edit))
         return ktg_fail(context, KTG_ARGUMENT,
                         "%s: is the edit file to be read; name another output", path);
-    return KTG_OK;
+    return ktg_output_check(context, path);
 }
 
 static ktg_status check_apart(ktg_context *context, const char *const *paths, int count) {
     for (int i = 0; i < count; i++)
         for (int k = 0; k < i; k++)
-            if (paths[i] && paths[k] && cli_same_file(paths[i], paths[k]))
+            if (paths[i] && paths[k] && ktg_target_same(paths[i], paths[k]))
                 return ktg_fail(context, KTG_ARGUMENT,
                                 "%s: is to be written twice; name another output", paths[i]);
     return KTG_OK;

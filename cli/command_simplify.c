@@ -1,5 +1,6 @@
 /* cli/command_simplify.c - katagami simplify: a model with fewer faces. */
 #include "cli/cli.h"
+#include "core/target.h"
 
 static const char usage[] = "usage: katagami simplify MODEL [--faces N] -o FILE\n\n"
                             "Repairs a model, simplifies it by quadric error to N faces (500) and "
@@ -9,10 +10,10 @@ static ktg_status check_output(ktg_context *context, const settings *s) {
     if (s->output_count != 1 || ktg_mesh_format_of(s->outputs[0]) == KTG_MESH_BY_ENDING)
         return ktg_fail(context, KTG_ARGUMENT,
                         "simplify wants one -o FILE that ends in .obj, .stl, .ply or .off");
-    if (cli_same_file(s->arguments[0], s->outputs[0])) /* not replaced by a poorer one */
+    if (ktg_target_same(s->arguments[0], s->outputs[0])) /* not replaced by a poorer one */
         return ktg_fail(context, KTG_ARGUMENT, "%s: is the model itself; name another output",
                         s->outputs[0]);
-    return KTG_OK;
+    return ktg_output_check(context, s->outputs[0]);
 }
 
 static ktg_status run(ktg_context *context, settings *s) {
@@ -43,6 +44,12 @@ static ktg_status run(ktg_context *context, settings *s) {
             fprintf(stderr,
                     "warning: fewer faces would change the model's topology or fold it over%s\n",
                     mesh->marked_count > 0 ? ", or an edge that is marked (l)" : "");
+        if (simplify.faces_without_uv > 0)
+            fprintf(
+                stderr,
+                "warning: %u face%s over a seam of the texture and lost %s texture coordinates\n",
+                simplify.faces_without_uv, simplify.faces_without_uv == 1 ? " lies" : "s lie",
+                simplify.faces_without_uv == 1 ? "its" : "their");
     }
     ktg_output_discard(&output);
     ktg_mesh_free(&mesh);

@@ -1,6 +1,7 @@
 /* cli/command_warp.c - katagami warp: a flat shape, or a piece of a pattern, follows its handles.
  */
 #include "cli/cli.h"
+#include "core/target.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -53,13 +54,13 @@ static ktg_status check_mesh_output(ktg_context *context, const settings *s) {
         return ktg_fail(context, KTG_ARGUMENT,
                         "a mesh that is warped wants one -o FILE that ends in .obj, .stl, .ply or "
                         ".off");
-    if (cli_same_file(s->outputs[0], s->arguments[0]))
+    if (ktg_target_same(s->outputs[0], s->arguments[0]))
         return ktg_fail(context, KTG_ARGUMENT, "%s: is the shape itself; name another output",
                         s->outputs[0]);
-    if (cli_same_file(s->outputs[0], s->handles))
+    if (ktg_target_same(s->outputs[0], s->handles))
         return ktg_fail(context, KTG_ARGUMENT, "%s: is a file to be read; name another output",
                         s->outputs[0]);
-    return KTG_OK;
+    return ktg_output_check(context, s->outputs[0]);
 }
 
 static ktg_status warp_mesh(ktg_context *context, const settings *s) {

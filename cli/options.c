@@ -11,9 +11,10 @@
 #define PI              3.14159265358979323846
 #define LONGEST_PAGE_MM 5000
 
-#define PAPER   (CMD_UNFOLD | CMD_FLATTEN)
-#define EVERY   (PAPER | CMD_DEFORM | CMD_SIMPLIFY | CMD_INFO | CMD_VERIFY | CMD_WARP)
-#define LARGEST 1e9
+#define PAPER         (CMD_UNFOLD | CMD_FLATTEN)
+#define EVERY         (PAPER | CMD_DEFORM | CMD_SIMPLIFY | CMD_INFO | CMD_VERIFY | CMD_WARP)
+#define LARGEST       1e9
+#define LEAST_SIZE_MM 1e-6 /* of a finished model */
 
 static bool parse_number(const char *text, double least, double most, double *number) {
     char *end;
@@ -138,7 +139,7 @@ static bool note_size(settings *s, ktg_size_rule rule, const char *option) {
 
 static bool set_size(settings *s, ktg_size_rule rule, const char *option, const char *text) {
     return note_size(s, rule, option) && cli_parse_length(text, &s->pipeline.size_mm) &&
-           s->pipeline.size_mm > 0;
+           s->pipeline.size_mm >= LEAST_SIZE_MM;
 }
 
 static bool set_height(settings *s, const char *text) {
@@ -283,6 +284,12 @@ static bool set_flat(settings *s, const char *text) {
 
 static bool set_dpi(settings *s, const char *text) {
     return parse_number(text, 10, 2400, &s->pipeline.render.dots_per_inch);
+}
+
+static bool set_no_guide(settings *s, const char *text) {
+    (void)text;
+    s->pipeline.render.guide = false;
+    return true;
 }
 
 static bool set_black(settings *s, const char *text) {
@@ -573,6 +580,8 @@ const option_line cli_option_lines[] = {
     {"threads", 0, "N", CMD_UNFOLD, false, set_threads,
      "processors to use at most (all); the net is the same for any number"},
     {"time", 0, "SECONDS", CMD_UNFOLD, false, set_time, "stop searching after that time"},
+    {"no-guide", 0, NULL, CMD_UNFOLD, false, set_no_guide,
+     "leave out the PDF's pages that tell how to build the model"},
     {"black", 0, NULL, PAPER | CMD_WARP, false, set_black, "no colours"},
     {"dpi", 0, "N", PAPER | CMD_WARP, false, set_dpi, "resolution of PNG pictures (150)"},
     {"svg-unit", 0, "mm|px72|px96", PAPER, false, set_svg_unit,

@@ -49,10 +49,19 @@ static int printable_bytes(const unsigned char *text) {
     return count;
 }
 
+/* A line's end in Unicode (U+2028, U+2029), or what turns the direction of all that follows (U+202A
+ * to U+202E, U+2066 to U+2069): a name could make a sentence say something else. */
+static bool is_mark(const unsigned char *text) {
+    if (text[0] != 0xe2)
+        return false;
+    return (text[1] == 0x80 && text[2] >= 0xa8 && text[2] <= 0xae) ||
+           (text[1] == 0x81 && text[2] >= 0xa6 && text[2] <= 0xa9);
+}
+
 static void print_line(FILE *stream, const char *text, size_t length) {
     for (const char *end = text + length; text < end;) {
         int count = printable_bytes((const unsigned char *)text);
-        if (count == 0)
+        if (count == 0 || is_mark((const unsigned char *)text))
             putc('?', stream);
         else
             fwrite(text, 1, (size_t)count, stream);
@@ -109,11 +118,15 @@ static void show_note(void *user, ktg_log_level level, const char *text) {
 /* What the caller wants ignored (nohup, a shell's background) stays ignored. */
 static void catch_signals(void) {
     static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
-    struct sigaction action = {.sa_handler = on_interrupt, .sa_flags = SA_RESTART}, before;
-    for (size_t i = 0; i < sizeof signals / sizeof *signals; i++)
+    for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) {
+        /* but for the first Ctrl-C, waiting for a file ends, too */
+        struct sigaction before, action = {.sa_handler = on_interrupt,
+                                           .sa_flags = signals[i] == SIGINT ? SA_RESTART : 0};
         if (sigaction(signals[i], NULL, &before) == 0 && before.sa_handler != SIG_IGN)
             sigaction(signals[i], &action, NULL);
-    signal(SIGPIPE, SIG_IGN); /* a closed pipe is a failed write, told like any other */
+    }
+    signal(SIGPIPE, SIG_IGN); /* a closed pipe is a failed write, told like any other, */
+    signal(SIGXFSZ, SIG_IGN); /* and so is a file that may not grow further */
 }
 
 static uint32_t processors(void) {

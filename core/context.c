@@ -1,8 +1,8 @@
 /* core/context.c - the context: last error, callbacks, seed. */
 #include "core/context.h"
+#include "core/text.h"
 
 #include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -75,7 +75,7 @@ void ktg_context_fail_allocation(ktg_context *context, uint64_t nth) {
 ktg_status ktg_fail(ktg_context *context, ktg_status status, const char *format, ...) {
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(context->message, sizeof context->message, format, arguments);
+    ktg_vformat_elided(context->message, sizeof context->message, format, arguments);
     va_end(arguments);
     return status;
 }
@@ -95,7 +95,7 @@ void ktg_log(ktg_context *context, ktg_log_level level, const char *format, ...)
     char line[KTG_MESSAGE_SIZE];
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(line, sizeof line, format, arguments);
+    ktg_vformat_elided(line, sizeof line, format, arguments);
     va_end(arguments);
     context->log(context->log_user, level, line);
 }

@@ -132,11 +132,17 @@ KTG_API void ktg_free(void *memory);
 
 /* ---- output files ------------------------------------------------------------------------- */
 
-/* A file that appears whole or not at all: it is written beside its place and renamed by commit.
- * Where the path names something that is not a regular file (a device, a FIFO) it is written
- * directly; "-" is standard output. */
+/* A file that appears whole or not at all: it is written beside its place and put there by commit.
+ * Until then it has no name, where the system knows such files (Linux), so that nothing is left
+ * behind whatever ends the program. A symbolic link stays, and what it leads to is written; a file
+ * that was there hands on its permissions, and its owner where that is allowed; another hard link
+ * to it keeps the old content. What is not a regular file (a device, a FIFO) is written directly;
+ * "-" is standard output. */
 typedef struct ktg_output ktg_output;
 
+/* Whether a file could be written there: KTG_FILE with the path and the reason when not. For
+ * before long work; nothing is made. */
+KTG_API KTG_NODISCARD ktg_status ktg_output_check(ktg_context *context, const char *path);
 /* KTG_FILE with the path and the reason when it cannot be written. */
 KTG_API KTG_NODISCARD ktg_status ktg_output_open(ktg_context *context, const char *path,
                                                  ktg_output **output);

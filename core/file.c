@@ -18,6 +18,11 @@ static ktg_status read_stream(ktg_context *context, FILE *stream, const char *pa
             return ktg_fail(context, KTG_LIMIT,
                             "%s: larger than %zu MB; nothing that large can be worked on", path,
                             most >> 20);
+        if (ferror(stream) && errno == EINTR) { /* a signal that may want an end */
+            KTG_TRY(ktg_check_cancel(context));
+            clearerr(stream);
+            continue;
+        }
         if (ferror(stream))
             return ktg_fail(context, KTG_FILE, "%s: cannot be read: %s", path, strerror(errno));
         if (got == 0)
@@ -30,7 +35,8 @@ static ktg_status read_stream(ktg_context *context, FILE *stream, const char *pa
 
 static ktg_status open_stream(ktg_context *context, const char *path, FILE **stream) {
     struct stat about;
-    *stream = fopen(path, "rb");
+    while (!(*stream = fopen(path, "rb")) && errno == EINTR) /* a FIFO nobody writes yet */
+        KTG_TRY(ktg_check_cancel(context));
     if (!*stream)
         return ktg_fail(context, KTG_FILE, "%s: cannot be opened: %s", path, strerror(errno));
     if (fstat(fileno(*stream), &about) == 0 && S_ISDIR(about.st_mode)) {

@@ -1,10 +1,12 @@
-/* core/output.c - files that appear whole or not at all: written beside their place, then renamed.
+/* core/output.c - files that appear whole or not at all: written without a name or beside their
+ * place, then put there.
  */
 #include "core/memory.h"
+#include "core/target.h"
+#include "core/text.h"
 
 #include <errno.h>
 #include <fcntl.h>
-#include <locale.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,14 +16,19 @@
 
 struct ktg_output {
     char *path;
-    char *beside; /* the file written before the rename; NULL when written directly */
+    ktg_target place;
+    char *beside;  /* the name of a file that is not in its place yet; NULL where there is none */
+    bool nameless; /* the stream's file has no name yet */
     FILE *stream;
     bool standard;
 };
 
+/* What a signal cut short was not refused. */
 static ktg_status cannot_write(ktg_context *context, const char *path, int error) {
     if (strcmp(path, "-") == 0)
         path = "standard output";
+    if (error == EINTR)
+        KTG_TRY(ktg_check_cancel(context));
     return ktg_fail(context, KTG_FILE, "%s: cannot be written: %s", path, strerror(error));
 }
 
@@ -32,51 +39,141 @@ static void output_free(ktg_output **output) {
     *output = NULL;
 }
 
-/* File names may have 255 bytes; this much of the path's own name leaves room for what is added. */
+/* ---- where it goes ------------------------------------------------------------------------ */
+
+static ktg_status check_folder(ktg_context *context, const char *path, const ktg_target *place) {
+    char folder[PATH_MAX];
+    if (!ktg_target_folder(place->path, folder, sizeof folder))
+        return cannot_write(context, path, ENAMETOOLONG);
+    if (access(folder, W_OK | X_OK) == 0)
+        return KTG_OK;
+    return ktg_fail(context, KTG_FILE, "%s: cannot be written: %s%s", path, strerror(errno),
+                    errno == ENOENT ? "; make its folder first" : "");
+}
+
+static ktg_status find_place(ktg_context *context, const char *path, ktg_target *place) {
+    int error = ktg_target_find(path, place);
+    if (error != 0)
+        return cannot_write(context, path, error);
+    if (place->exists && S_ISDIR(place->mode))
+        return ktg_fail(context, KTG_FILE, "%s: is a folder; name a file in it", path);
+    if (place->exists && access(path, W_OK) != 0)
+        return cannot_write(context, path, errno);
+    return place->regular ? check_folder(context, path, place) : KTG_OK;
+}
+
+ktg_status ktg_output_check(ktg_context *context, const char *path) {
+    ktg_target place;
+    return strcmp(path, "-") == 0 ? KTG_OK : find_place(context, path, &place);
+}
+
+/* ---- opening ------------------------------------------------------------------------------ */
+
+/* File names may have 255 bytes; this much of the place's own name leaves room for what is added.
+ */
 #define MOST_OF_NAME 200
 
-/* Opens a new file beside `path`, under a name nobody else has. */
-static ktg_status open_beside(ktg_context *context, ktg_output *output) {
-    const char *slash = strrchr(output->path, '/'), *name = slash ? slash + 1 : output->path;
-    int kept = (int)(name - output->path) + (int)strnlen(name, MOST_OF_NAME);
-    size_t length = (size_t)kept + 48;
-    output->beside = ktg_alloc(context, length, 1);
-    if (!output->beside)
-        return KTG_MEMORY;
-    int file = -1;
-    for (int attempt = 0; file < 0 && attempt < 1000; attempt++) {
-        snprintf(output->beside, length, "%.*s.%ld-%d.tmp", kept, output->path, (long)getpid(),
-                 attempt);
-        file = open(output->beside, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (file < 0 && errno != EEXIST)
+/* Names beside the place, until `make` made a file of one of them. False with errno set. */
+static bool name_beside(ktg_output *output, size_t size, bool (*make)(ktg_output *output)) {
+    const char *path = output->place.path, *slash = strrchr(path, '/'),
+               *name = slash ? slash + 1 : path;
+    int kept = (int)(name - path) + (int)strnlen(name, MOST_OF_NAME);
+    for (int attempt = 0; attempt < 1000; attempt++) {
+        snprintf(output->beside, size, "%.*s.%ld-%d.tmp", kept, path, (long)getpid(), attempt);
+        if (make(output))
+            return true;
+        if (errno != EEXIST)
             break;
     }
-    if (file < 0) {
-        int error = errno;
-        ktg_free(output->beside);
-        output->beside = NULL;
-        return cannot_write(context, output->path, error);
-    }
-    output->stream = fdopen(file, "wb");
+    return false;
+}
+
+static ktg_status beside(ktg_context *context, ktg_output *output,
+                         bool (*make)(ktg_output *output)) {
+    size_t size = strlen(output->place.path) + 48;
+    output->beside = ktg_alloc(context, size, 1);
+    if (!output->beside)
+        return KTG_MEMORY;
+    if (name_beside(output, size, make))
+        return KTG_OK;
+    int error = errno;
+    ktg_free(output->beside);
+    output->beside = NULL;
+    return cannot_write(context, output->path, error);
+}
+
+/* The stream of a new file; false with errno set. */
+static bool take_file(ktg_output *output, int file) {
+    output->stream = file < 0 ? NULL : fdopen(file, "wb");
+    if (file >= 0 && !output->stream)
+        close(file);
+    return output->stream;
+}
+
+static bool make_named(ktg_output *output) {
+    return take_file(output, open(output->beside, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+}
+
+/* The way to a file without a name. */
+static void name_of_nameless(const ktg_output *output, char name[48]) {
+    snprintf(name, 48, "/proc/self/fd/%d", fileno(output->stream));
+}
+
+/* What has no name stays open until it gets one; a process may not have very many open files. */
+#define MOST_NAMELESS 32
+
+/* Opens a file without a name where system and disk know how, and can name it later. */
+static bool open_nameless(ktg_output *output) {
+#ifdef O_TMPFILE
+    char folder[PATH_MAX], name[48];
+    if (!ktg_target_folder(output->place.path, folder, sizeof folder) ||
+        !take_file(output, open(folder, O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666)))
+        return false;
+    name_of_nameless(output, name);
+    output->nameless = fileno(output->stream) < MOST_NAMELESS && access(name, F_OK) == 0;
+    if (!output->nameless)
+        fclose(output->stream);
+    return output->nameless;
+#else
+    (void)output;
+    return false;
+#endif
+}
+
+/* As the file had that was there. */
+static bool keep_permissions(const ktg_output *output) {
+    const ktg_target *place = &output->place;
+    int file = fileno(output->stream);
+    struct stat about;
+    if (!place->exists)
+        return true;
+    if (fstat(file, &about) == 0 && (about.st_uid != place->owner || about.st_gid != place->group))
+        (void)!fchown(file, place->owner, place->group); /* where that is allowed */
+    return fchmod(file, place->mode & 0777) == 0;
+}
+
+static ktg_status open_regular(ktg_context *context, ktg_output *output) {
+    if (!open_nameless(output))
+        KTG_TRY(beside(context, output, make_named));
+    return keep_permissions(output) ? KTG_OK : cannot_write(context, output->path, errno);
+}
+
+/* A FIFO opens when somebody reads it; a signal may come before. */
+static ktg_status open_directly(ktg_context *context, ktg_output *output) {
+    do {
+        output->stream = fopen(output->path, "wb");
+        KTG_TRY(output->stream ? KTG_OK : ktg_check_cancel(context));
+    } while (!output->stream && errno == EINTR);
     return output->stream ? KTG_OK : cannot_write(context, output->path, errno);
 }
 
 static ktg_status open_stream(ktg_context *context, ktg_output *output) {
-    struct stat about;
     if (output->standard) {
         output->stream = stdout;
         return KTG_OK;
     }
-    if (stat(output->path, &about) != 0)
-        return errno == ENOENT ? open_beside(context, output)
-                               : cannot_write(context, output->path, errno);
-    if (S_ISDIR(about.st_mode))
-        return ktg_fail(context, KTG_FILE, "%s: is a folder; name a file in it", output->path);
-    if (S_ISREG(about.st_mode))
-        return access(output->path, W_OK) == 0 ? open_beside(context, output)
-                                               : cannot_write(context, output->path, errno);
-    output->stream = fopen(output->path, "wb");
-    return output->stream ? KTG_OK : cannot_write(context, output->path, errno);
+    KTG_TRY(find_place(context, output->path, &output->place));
+    return output->place.regular ? open_regular(context, output) : open_directly(context, output);
 }
 
 ktg_status ktg_output_open(ktg_context *context, const char *path, ktg_output **output) {
@@ -91,6 +188,8 @@ ktg_status ktg_output_open(ktg_context *context, const char *path, ktg_output **
     return status;
 }
 
+/* ---- writing ------------------------------------------------------------------------------ */
+
 ktg_status ktg_output_write(ktg_context *context, ktg_output *output, const void *bytes,
                             size_t size) {
     if (size && fwrite(bytes, 1, size, output->stream) != size)
@@ -99,58 +198,80 @@ ktg_status ktg_output_write(ktg_context *context, ktg_output *output, const void
 }
 
 ktg_status ktg_output_print(ktg_context *context, ktg_output *output, const char *format, ...) {
-    locale_t plain = newlocale(LC_NUMERIC_MASK, "C", (locale_t)0);
-    if (plain == (locale_t)0)
-        return ktg_fail(context, KTG_MEMORY, "out of memory (locale)");
-    locale_t before = uselocale(plain);
     va_list arguments;
     va_start(arguments, format);
-    int written = vfprintf(output->stream, format, arguments);
+    int written = ktg_vprint(output->stream, format, arguments);
     va_end(arguments);
-    int error = errno;
-    uselocale(before);
-    freelocale(plain);
-    return written < 0 ? cannot_write(context, output->path, error) : KTG_OK;
+    return written < 0 ? cannot_write(context, output->path, errno) : KTG_OK;
 }
 
-/* Closes the stream; everything has reached the system afterwards, or errno says why not. */
+/* ---- putting it in its place -------------------------------------------------------------- */
+
 static bool close_stream(ktg_output *output) {
-    bool good = fflush(output->stream) == 0 && !ferror(output->stream);
-    if (output->beside)
-        good = good && fsync(fileno(output->stream)) == 0;
-    int error = errno;
-    if (!output->standard && fclose(output->stream) != 0 && good) {
-        good = false;
-        error = errno;
-    }
+    bool good = output->standard || fclose(output->stream) == 0;
     output->stream = NULL;
+    return good;
+}
+
+/* Everything has reached the system afterwards, or errno says why not. What has no name yet stays
+ * open. */
+static bool bring_out(ktg_output *output) {
+    bool good = fflush(output->stream) == 0 && !ferror(output->stream);
+    if (good && (output->beside || output->nameless))
+        good = fsync(fileno(output->stream)) == 0;
+    int error = errno;
+    if (output->nameless)
+        return good;
+    if (!close_stream(output) && good)
+        return false;
     errno = error;
     return good;
 }
 
 ktg_status ktg_output_finish(ktg_context *context, ktg_output *output) {
-    if (!output->stream || close_stream(output))
+    if (!output->stream || bring_out(output))
         return KTG_OK;
     return cannot_write(context, output->path, errno);
 }
 
+static bool link_nameless(const ktg_output *output, const char *path) {
+    char name[48];
+    name_of_nameless(output, name);
+    return linkat(AT_FDCWD, name, AT_FDCWD, path, AT_SYMLINK_FOLLOW) == 0;
+}
+
+static bool make_link(ktg_output *output) {
+    return link_nameless(output, output->beside);
+}
+
+/* Where there is no file yet a name is enough; else it takes the old one's place. */
+static ktg_status put(ktg_context *context, ktg_output *output) {
+    if (output->nameless && !output->place.exists && link_nameless(output, output->place.path))
+        return KTG_OK;
+    if (output->nameless)
+        KTG_TRY(beside(context, output, make_link));
+    if (output->beside && rename(output->beside, output->place.path) != 0)
+        return cannot_write(context, output->path, errno);
+    return KTG_OK;
+}
+
 ktg_status ktg_output_commit(ktg_context *context, ktg_output **output) {
     ktg_status status = ktg_output_finish(context, *output);
-    const char *beside = (*output)->beside;
-    if (status == KTG_OK && beside && rename(beside, (*output)->path) != 0)
-        status = cannot_write(context, (*output)->path, errno);
-    if (status != KTG_OK)
-        ktg_output_discard(output);
-    else
-        output_free(output);
+    if (status == KTG_OK)
+        status = put(context, *output);
+    if (status == KTG_OK) {
+        ktg_free((*output)->beside);
+        (*output)->beside = NULL;
+    }
+    ktg_output_discard(output);
     return status;
 }
 
 void ktg_output_discard(ktg_output **output) {
     if (!output || !*output)
         return;
-    if ((*output)->stream && !(*output)->standard)
-        fclose((*output)->stream);
+    if ((*output)->stream)
+        (void)close_stream(*output);
     if ((*output)->beside)
         unlink((*output)->beside);
     output_free(output);
@@ -158,4 +279,8 @@ void ktg_output_discard(ktg_output **output) {
 
 const char *ktg_output_path(const ktg_output *output) {
     return output->path;
+}
+
+const char *ktg_output_target(const ktg_output *output) {
+    return output->standard || !output->place.regular ? NULL : output->place.path;
 }

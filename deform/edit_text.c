@@ -2,6 +2,7 @@
 #include "deform/edit_text.h"
 #include "core/file.h"
 #include "core/memory.h"
+#include "core/text.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -19,7 +20,7 @@ ktg_status ktg_edit_text_fail(const ktg_edit_text *text, uint64_t line, const ch
     char said[1024];
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(said, sizeof said, format, arguments);
+    ktg_vformat(said, sizeof said, format, arguments);
     va_end(arguments);
     return ktg_fail(text->context, KTG_FORMAT, "%s:%llu: %s", text->file, (unsigned long long)line,
                     said);

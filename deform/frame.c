@@ -2,6 +2,7 @@
  * exact, with its adjacency and its parts. */
 #include "core/memory.h"
 #include "core/sets.h"
+#include "core/text.h"
 #include "deform/solver.h"
 
 #include <stdarg.h>
@@ -12,7 +13,7 @@ ktg_status ktg_edit_fail(ktg_context *context, const char *file, uint64_t line, 
     char text[1024], number[24] = "";
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
+    ktg_vformat(text, sizeof text, format, arguments);
     va_end(arguments);
     if (line > 0)
         snprintf(number, sizeof number, ":%llu", (unsigned long long)line);

@@ -5,6 +5,7 @@
  * stretches would become one body. */
 #include "core/memory.h"
 #include "core/sets.h"
+#include "core/text.h"
 #include "deform/nearest.h"
 #include "deform/solver.h"
 
@@ -258,9 +259,9 @@ static ktg_status no_pair(finder *f) {
     }
     ktg_near_free(&tree);
     if (isfinite(least))
-        snprintf(text, sizeof text,
-                 "finds no pair within max = %g: the nearest two vertices are %g apart",
-                 f->link->most, ldexp(least, f->frame->exponent));
+        ktg_format(text, sizeof text,
+                   "finds no pair within max = %g: the nearest two vertices are %g apart",
+                   f->link->most, ldexp(least, f->frame->exponent));
     return link_fail(f, text);
 }
 

@@ -263,6 +263,7 @@ static ktg_status lead_anew(ktg_context *context, stretch *s, uint32_t *count) {
 
 static ktg_status smooth_stretch(ktg_context *context, stretch *s) {
     uint32_t count = 0;
+    KTG_TRY(ktg_check_cancel(context));
     set_edges(s, s->old, s->count, false);
     ktg_status status = take_memory(context, s);
     if (status == KTG_OK)

@@ -110,9 +110,11 @@ static ktg_status open_panel(ktg_context *context, const ktg_cut_panel *from,
 }
 
 static ktg_status check_faces(ktg_context *context, const ktg_mesh *mesh) {
-    return mesh->face_count > 0 ? KTG_OK
-                                : ktg_fail(context, KTG_GEOMETRY,
-                                           "there is nothing to flatten: the model has no faces");
+    double extent;
+    if (mesh->face_count == 0)
+        return ktg_fail(context, KTG_GEOMETRY,
+                        "there is nothing to flatten: the model has no faces");
+    return ktg_mesh_check_extent(context, mesh, &extent);
 }
 
 ktg_status ktg_flat_surface_open(ktg_context *context, ktg_flat_surface *s) {
@@ -186,22 +188,23 @@ static void add_to_whole(ktg_panel_report *whole, const ktg_panel_report *panel,
     whole->seconds += panel->seconds;
 }
 
-/* A panel's area as a part of the largest one's unit, so that no square is too large. */
-static double weight_of(const ktg_flat_surface *s, uint32_t p) {
+/* Areas are weighed in the largest panel's unit, so that no square is too large. */
+static int largest_exponent(const ktg_flat_surface *s) {
     int largest = s->flats[0].panel->exponent;
-    for (uint32_t q = 1; q < s->apart.count; q++)
-        if (s->flats[q].panel->exponent > largest)
-            largest = s->flats[q].panel->exponent;
-    int exponent = s->flats[p].panel->exponent;
-    return ldexp(s->flats[p].area, 2 * (exponent - largest));
+    for (uint32_t p = 1; p < s->apart.count; p++)
+        if (s->flats[p].panel->exponent > largest)
+            largest = s->flats[p].panel->exponent;
+    return largest;
 }
 
 static ktg_status sum_up(ktg_context *context, ktg_flat_surface *s) {
     ktg_panel_report *whole = &s->report->whole;
+    const int largest = largest_exponent(s);
     double total = 0;
     whole->method = s->options->method;
     for (uint32_t p = 0; p < s->apart.count; p++) {
-        double weight = weight_of(s, p);
+        int exponent = s->flats[p].panel->exponent;
+        double weight = ldexp(s->flats[p].area, 2 * (exponent - largest));
         s->report->panels[p] = s->flats[p].report;
         s->report->panels_beyond += s->flats[p].report.area_beyond_limit > 0.05;
         add_to_whole(whole, &s->flats[p].report, weight);

@@ -2,6 +2,7 @@
 #include "layout/turn.h"
 
 #include "core/memory.h"
+#include "core/text.h"
 #include "core/vec.h"
 
 #include <stdio.h>
@@ -61,10 +62,11 @@ static void advise(const ktg_pattern *pattern, double factor, char *text, size_t
     }
     double scale = pattern->mm_per_unit > 0 ? pattern->mm_per_unit : 1;
     double most = rounded_down(scale * factor), shrink = most / scale;
-    snprintf(text, size,
-             "at most about %.6g mm per unit fits, that is a finished size (x, y, z) of "
-             "%.4g x %.4g x %.4g mm: choose a smaller size or a larger sheet",
-             most, shrink * (high.x - low.x), shrink * (high.y - low.y), shrink * (high.z - low.z));
+    ktg_format(text, size,
+               "at most about %.6g mm per unit fits, that is a finished size (x, y, z) of "
+               "%.4g x %.4g x %.4g mm: choose a smaller size or a larger sheet",
+               most, shrink * (high.x - low.x), shrink * (high.y - low.y),
+               shrink * (high.z - low.z));
 }
 
 ktg_status ktg_layout_too_large(ktg_context *context, const ktg_pattern *pattern,

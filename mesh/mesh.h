@@ -90,9 +90,9 @@ KTG_API KTG_NODISCARD ktg_status ktg_mesh_read(ktg_context *context, const char 
                                                ktg_mesh_format format, ktg_mesh **mesh);
 
 /* Appends the model to an output, in the format of its path's ending (or `format`): OBJ with
- * everything the mesh holds but colours of faces, binary STL, ASCII PLY (positions, triangles and
- * colours), OFF (positions and triangles). Numbers read
- * back to the same double (STL: float). Input polygons are not restored: triangles are written. */
+ * everything the mesh holds but colours of faces, binary STL, ASCII PLY (positions, triangles,
+ * colours, texture coordinates, texture_file), OFF (positions and triangles). Numbers read back to
+ * the same double (STL: float). Input polygons are not restored: triangles are written. */
 KTG_API KTG_NODISCARD ktg_status ktg_mesh_write(ktg_context *context, const ktg_mesh *mesh,
                                                 ktg_mesh_format format, ktg_output *output);
 
@@ -212,6 +212,15 @@ typedef struct ktg_mesh_report {
 KTG_API KTG_NODISCARD ktg_status ktg_mesh_check(ktg_context *context, const ktg_mesh *mesh,
                                                 bool intersections, ktg_mesh_report *report);
 
+/* How many times its own extent a model may be away from the origin: beyond, the rounding of its
+ * coordinates is more than patterns are proven to (1e-9). */
+#define KTG_MESH_MOST_AWAY 1e7
+
+/* The largest side of the box around the faces. KTG_GEOMETRY where it is nothing, beyond 1e75, or
+ * less than a KTG_MESH_MOST_AWAY-th of the largest coordinate: no pattern can be made of that. */
+KTG_API KTG_NODISCARD ktg_status ktg_mesh_check_extent(ktg_context *context, const ktg_mesh *mesh,
+                                                       double *extent);
+
 /* What a repair did. */
 typedef struct ktg_repair_report {
     uint32_t duplicate_faces_removed, degenerate_faces_removed, unreferenced_vertices_removed;
@@ -240,16 +249,28 @@ KTG_API KTG_NODISCARD ktg_status ktg_mesh_repair(ktg_context *context, ktg_mesh 
 typedef struct ktg_simplify_report {
     uint32_t faces_before, faces_after;
     bool target_reached;
+    uint32_t faces_without_uv; /* which had texture coordinates before */
 } ktg_simplify_report;
 
 /* Collapses edges by quadric error (Garland & Heckbert 1997; on OpenMesh's half-edges, with its
  * decimater's test of legality) to at most `target_faces`, in place. Topology and borders keep, no
  * normal flips, no degenerate face and no self-intersection that was not there before comes into
  * being; where these rules forbid every further collapse it stops early (report->target_reached =
- * false). Objects, groups, materials follow the surviving faces, and the lines between them are
- * kept to like edges; texture coordinates and polygons are dropped when anything changed. Marked
- * edges stay as they are: their vertices do not move. The mesh must be a manifold (as
- * ktg_mesh_repair leaves it), else KTG_ARGUMENT. On failure it is as it was. */
+ * false). Objects, groups, materials and colours follow the surviving faces, and the lines between
+ * them are kept to like edges; colours of vertices are blended. Marked edges stay as they are:
+ * their vertices do not move. Polygons are dropped when anything changed.
+ *
+ * Texture coordinates follow, too. Their seams (and in a model that has any, the lines between
+ * materials and between mirrored halves) stay: vertices on them move along them only, and those
+ * where seams meet or end stay, but for a move along their normal, which changes nothing in the
+ * texture. No face turns over in the texture. Where this would leave more faces than wished for, or
+ * seams meet in more than a quarter as many vertices as there shall be faces, the wish weighs more
+ * than the seams; and what seams enclose that is smaller than a quarter of a face to come is given
+ * up anyway. Faces whose coordinates then hold no longer have KTG_NONE at their corners, and are
+ * counted (report->faces_without_uv).
+ *
+ * The mesh must be a manifold (as ktg_mesh_repair leaves it), else KTG_ARGUMENT. On failure it is
+ * as it was. */
 KTG_API KTG_NODISCARD ktg_status ktg_mesh_simplify(ktg_context *context, ktg_mesh *mesh,
                                                    uint32_t target_faces,
                                                    ktg_simplify_report *report);

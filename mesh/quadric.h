@@ -90,4 +90,16 @@ static inline bool ktg_quadric_least(const ktg_quadric *q, ktg_vec3 near, ktg_ve
     return true;
 }
 
+/* The best x on the line through `near` along `direction`; false as above. */
+static inline bool ktg_quadric_least_along(const ktg_quadric *q, ktg_vec3 near, ktg_vec3 direction,
+                                           ktg_vec3 *x) {
+    double s = KTG_QUADRIC_POINTS;
+    ktg_vec3 r = ktg_sub3(ktg_madd3(q->b, s, q->points), ktg_quadric_times(q, s, near));
+    double bend = ktg_dot3(direction, ktg_quadric_times(q, s, direction));
+    if (!(bend > 0))
+        return false;
+    *x = ktg_madd3(near, ktg_dot3(r, direction) / bend, direction);
+    return true;
+}
+
 #endif

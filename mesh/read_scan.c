@@ -5,6 +5,7 @@
  * floating point numbers accurately", the fast case); the rest goes to strtod in the C locale. */
 #include "core/file.h"
 #include "core/memory.h"
+#include "core/text.h"
 #include "mesh/read.h"
 
 #include <math.h>
@@ -50,7 +51,7 @@ ktg_status ktg_scan_fail(const ktg_scan *scan, ktg_status status, const char *fo
     char text[1024];
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
+    ktg_vformat(text, sizeof text, format, arguments);
     va_end(arguments);
     if (scan->line == 0)
         return ktg_fail(scan->context, status, "%s: %s", scan->name, text);

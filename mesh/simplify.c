@@ -2,6 +2,7 @@
 #include "mesh/simplify.h"
 #include "core/memory.h"
 #include "mesh/intersect.h"
+#include "mesh/repair.h"
 #include "mesh/weld.h"
 
 #include <string.h>
@@ -21,14 +22,22 @@ static bool differ_in_colour(const uint8_t *colours, size_t f, size_t g) {
     return colours && memcmp(colours + 3 * f, colours + 3 * g, 3) != 0;
 }
 
+/* The edges at a pole differ only there, and weigh nothing. */
+static bool is_uv_seam(const ktg_simplify *s, uint32_t h, uint32_t twin) {
+    uint32_t a = s->faces[h], b = s->faces[ktg_halfedge_next(h)];
+    return ktg_simplify_bond(s, a) != KTG_OFF_SEAM && ktg_simplify_bond(s, b) != KTG_OFF_SEAM &&
+           ktg_uv_seam(s, h / 3, twin / 3, a, b);
+}
+
 /* The weight of the plane that stands on a half-edge, 0 for none. */
-static double standing_weight(const ktg_mesh *mesh, const ktg_adjacency *adjacency, uint32_t h) {
+static double standing_weight(const ktg_simplify *s, const ktg_mesh *mesh,
+                              const ktg_adjacency *adjacency, uint32_t h) {
     uint32_t twin = adjacency->twin[h], f = h / 3;
     if (twin == KTG_NONE)
         return border_weight;
     bool seam = differ(mesh->face_object, f, twin / 3) || differ(mesh->face_group, f, twin / 3) ||
                 differ(mesh->face_material, f, twin / 3) ||
-                differ_in_colour(mesh->face_colours, f, twin / 3);
+                differ_in_colour(mesh->face_colours, f, twin / 3) || is_uv_seam(s, h, twin);
     return seam ? seam_weight : 0;
 }
 
@@ -48,7 +57,7 @@ static void set_quadrics(ktg_simplify *s, const ktg_mesh *mesh, const ktg_adjace
             ktg_quadric_add_point(&s->quadrics[corner[k]], p[k], point_weight * area);
         }
         for (uint32_t k = 0; k < 3; k++) {
-            double weight = standing_weight(mesh, adjacency, 3 * f + k);
+            double weight = standing_weight(s, mesh, adjacency, 3 * f + k);
             ktg_vec3 edge = ktg_sub3(p[(k + 1) % 3], p[k]);
             ktg_vec3 across = ktg_unit3(ktg_cross3(edge, normal));
             weight *= ktg_dot3(edge, edge);
@@ -87,7 +96,7 @@ static ktg_status require_manifold(ktg_context *context, const ktg_mesh *mesh) {
                     report.degenerate_faces);
 }
 
-static ktg_status prepare(ktg_simplify *s, const ktg_mesh *mesh) {
+static ktg_status prepare(ktg_simplify *s, const ktg_mesh *mesh, uint32_t target_faces) {
     ktg_adjacency *adjacency = NULL;
     s->vertex_count = mesh->vertex_count;
     s->face_count = s->live_faces = mesh->face_count;
@@ -109,12 +118,14 @@ static ktg_status prepare(ktg_simplify *s, const ktg_mesh *mesh) {
     KTG_TRY(ktg_simplify_take_colours(s, mesh));
     set_frame(s);
     KTG_TRY(ktg_adjacency_new(s->context, mesh, &adjacency));
+    ktg_status status = ktg_halfedges_new(s->context, mesh, &s->halfedges);
+    for (uint32_t v = 0; status == KTG_OK && v < mesh->vertex_count; v++)
+        s->border[v] = ktg_halfedges_is_border(s->halfedges, v);
+    if (status == KTG_OK)
+        status = ktg_simplify_take_uvs(s, mesh, adjacency, target_faces);
     set_quadrics(s, mesh, adjacency);
     ktg_adjacency_free(&adjacency);
-    KTG_TRY(ktg_halfedges_new(s->context, mesh, &s->halfedges));
-    for (uint32_t v = 0; v < mesh->vertex_count; v++)
-        s->border[v] = ktg_halfedges_is_border(s->halfedges, v);
-    return ktg_simplify_box_faces(s);
+    return status == KTG_OK ? ktg_simplify_box_faces(s) : status;
 }
 
 static void keep_numbers(uint32_t *numbers, uint32_t at, uint32_t from) {
@@ -123,10 +134,13 @@ static void keep_numbers(uint32_t *numbers, uint32_t at, uint32_t from) {
 }
 
 /* Writes the surviving faces and their vertices into the mesh, both in their old order. */
-static ktg_status write_back(const ktg_simplify *s, ktg_mesh *mesh) {
+static ktg_status write_back(const ktg_simplify *s, ktg_mesh *mesh, uint32_t *lost) {
     uint32_t *renamed = ktg_new(s->context, s->vertex_count, uint32_t), faces = 0, vertices = 0;
-    if (!renamed)
-        return KTG_MEMORY;
+    ktg_status status = renamed ? ktg_simplify_give_uvs(s, mesh, lost) : KTG_MEMORY;
+    if (status != KTG_OK) {
+        ktg_free(renamed);
+        return status;
+    }
     for (uint32_t f = 0; f < s->face_count; f++)
         for (size_t k = 0; k < 3 && s->alive[f]; k++)
             renamed[s->faces[3 * (size_t)f + k]] = 1;
@@ -161,11 +175,7 @@ static ktg_status write_back(const ktg_simplify *s, ktg_mesh *mesh) {
 /* What does not survive a change of the surface. */
 static void drop_fine_print(ktg_mesh *mesh) {
     ktg_free(mesh->face_polygon);
-    ktg_free(mesh->uvs);
-    ktg_free(mesh->face_uv);
-    mesh->face_polygon = mesh->face_uv = NULL;
-    mesh->uvs = NULL;
-    mesh->uv_count = 0;
+    mesh->face_polygon = NULL;
 }
 
 /* The rules let no intersection in; this says so by other means, before anything is changed. */
@@ -201,6 +211,7 @@ static void free_state(ktg_simplify *s) {
     ktg_free(s->border);
     ktg_free(s->locked);
     ktg_free(s->colours);
+    ktg_simplify_free_uvs(s);
     ktg_free(s->heap);
     ktg_free(s->changed);
     ktg_free(s->found);
@@ -211,24 +222,26 @@ static void free_state(ktg_simplify *s) {
 ktg_status ktg_mesh_simplify(ktg_context *context, ktg_mesh *mesh, uint32_t target_faces,
                              ktg_simplify_report *report) {
     ktg_simplify s = {.context = context};
-    uint32_t before = mesh->face_count;
+    uint32_t before = mesh->face_count, lost = 0;
     ktg_status status = KTG_OK;
     if (before > target_faces) {
         status = require_manifold(context, mesh);
         if (status == KTG_OK)
-            status = prepare(&s, mesh);
+            status = prepare(&s, mesh, target_faces);
         if (status == KTG_OK)
             status = ktg_simplify_run(&s, target_faces);
         if (status == KTG_OK && s.live_faces < before)
             status = prove(&s, mesh);
         if (status == KTG_OK && s.live_faces < before)
-            status = write_back(&s, mesh);
+            status = ktg_simplify_refine_uvs(&s);
+        if (status == KTG_OK && s.live_faces < before)
+            status = write_back(&s, mesh, &lost);
         if (status == KTG_OK && s.live_faces < before)
             drop_fine_print(mesh);
     }
     if (report)
         *report = (ktg_simplify_report){before, mesh->face_count,
-                                        status == KTG_OK && mesh->face_count <= target_faces};
+                                        status == KTG_OK && mesh->face_count <= target_faces, lost};
     free_state(&s);
     return status;
 }

@@ -9,6 +9,7 @@
 #include "mesh/boxes.h"
 #include "mesh/mesh.h"
 #include "mesh/quadric.h"
+#include "mesh/simplify_uv.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -30,10 +31,12 @@ uint32_t ktg_halfedges_neighbours(ktg_halfedges *halfedges, uint32_t vertex,
 bool ktg_halfedges_is_border(const ktg_halfedges *halfedges, uint32_t vertex);
 
 /* Whether `from` may move onto its neighbour `to` without a change of topology. */
-bool ktg_halfedges_may_collapse(ktg_halfedges *halfedges, uint32_t from, uint32_t to);
+KTG_NODISCARD ktg_status ktg_halfedges_may_collapse(ktg_context *context, ktg_halfedges *halfedges,
+                                                    uint32_t from, uint32_t to, bool *may);
 
 /* Does it; the faces that were on both are gone. */
-void ktg_halfedges_collapse(ktg_halfedges *halfedges, uint32_t from, uint32_t to);
+KTG_NODISCARD ktg_status ktg_halfedges_collapse(ktg_context *context, ktg_halfedges *halfedges,
+                                                uint32_t from, uint32_t to);
 
 /* ---- the state of a simplification ---------------------------------------------------------- */
 
@@ -62,6 +65,7 @@ typedef struct ktg_simplify {
     bool *border;     /* vertex_count; a vertex that stays keeps its state */
     bool *locked;     /* vertex_count: of marked edges; never moves or goes, nor do those edges */
     float *colours;   /* 3 vertex_count, 0 to 255, or NULL */
+    ktg_simplify_uv uv;
     ktg_halfedges *halfedges;
     ktg_boxes *boxes;     /* of the living faces */
     uint32_t boxed_faces; /* how many there were when the tree was built */
@@ -76,6 +80,11 @@ typedef struct ktg_simplify {
     ktg_vec3 *shapes;  /* 6 per changed face: old corners, new corners; removed faces behind them */
     ktg_box *outlines; /* per changed face, of the corners looked at */
 } ktg_simplify;
+
+/* How a vertex is bound to seams, while these are kept. */
+static inline ktg_seam_bond ktg_simplify_bond(const ktg_simplify *s, uint32_t vertex) {
+    return s->uv.kept ? (ktg_seam_bond)s->uv.bonds[vertex] : KTG_OFF_SEAM;
+}
 
 /* simplify_rules.c: whether the collapse onto `position` leaves every face around it in good order:
  * none turned, none thin that was not, no new pair of faces that intersect. */

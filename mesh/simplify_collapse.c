@@ -50,19 +50,52 @@ static ktg_vec3 from_frame(const ktg_simplify *s, ktg_vec3 p) {
     return ktg_add3(ktg_mul3(p, 1 / s->scale), s->centre);
 }
 
+/* The normal of the surface at a vertex, of any length. */
+static ktg_vec3 normal_at(const ktg_simplify *s, uint32_t vertex) {
+    const uint32_t *faces;
+    uint32_t count = ktg_halfedges_faces(s->halfedges, vertex, &faces);
+    ktg_vec3 normal = {0, 0, 0};
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t *c = s->faces + 3 * (size_t)faces[i];
+        ktg_vec3 p = to_frame(s, s->positions[c[0]]);
+        ktg_vec3 u = ktg_sub3(to_frame(s, s->positions[c[1]]), p);
+        ktg_vec3 v = ktg_sub3(to_frame(s, s->positions[c[2]]), p);
+        normal = ktg_add3(normal, ktg_cross3(u, v));
+    }
+    return ktg_unit3(normal);
+}
+
+/* The position of least error, in the frame; false where there is none to choose from. A vertex of
+ * a seam that others join keeps its place on the seam and only rises or sinks. */
+static bool choose_best(const ktg_simplify *s, const ktg_candidate *c, const ktg_quadric *q,
+                        ktg_vec3 *best) {
+    ktg_vec3 a = to_frame(s, s->positions[c->from]), b = to_frame(s, s->positions[c->to]);
+    ktg_vec3 middle = ktg_mul3(ktg_add3(a, b), 0.5);
+    if (s->border[c->to] || s->locked[c->to])
+        return false;
+    bool found = ktg_simplify_bond(s, c->to) > ktg_simplify_bond(s, c->from)
+                     ? ktg_quadric_least_along(q, b, normal_at(s, c->to), best)
+                     : ktg_quadric_least(q, middle, best);
+    return found && ktg_length3(ktg_sub3(*best, middle)) <= 2 * ktg_length3(ktg_sub3(b, a));
+}
+
+/* Whether `from` may go, and along this edge. */
+static bool may_go(const ktg_simplify *s, const ktg_candidate *c) {
+    ktg_seam_bond bond = ktg_simplify_bond(s, c->from);
+    return !s->locked[c->from] && (!s->border[c->from] || s->border[c->to]) &&
+           bond != KTG_SEAM_JUNCTION && ktg_simplify_bond(s, c->to) >= bond;
+}
+
 /* The position and the cost of candidate->choice, or of the next one where it is impossible; false
  * when there is none. */
 static bool choose(const ktg_simplify *s, ktg_candidate *c, ktg_vec3 *position) {
-    if (s->locked[c->from] || (s->border[c->from] && !s->border[c->to]))
+    if (!may_go(s, c))
         return false;
     ktg_quadric q = ktg_quadric_sum(&s->quadrics[c->from], &s->quadrics[c->to]);
-    ktg_vec3 a = to_frame(s, s->positions[c->from]), b = to_frame(s, s->positions[c->to]);
-    ktg_vec3 middle = ktg_mul3(ktg_add3(a, b), 0.5), best;
-    bool border = s->border[c->to] || s->locked[c->to];
-    bool fixed = s->locked[c->to] || (s->border[c->to] && !s->border[c->from]);
-    double reach = 2 * ktg_length3(ktg_sub3(b, a));
-    if (c->choice == 0 && !border && ktg_quadric_least(&q, middle, &best) &&
-        ktg_length3(ktg_sub3(best, middle)) <= reach) {
+    ktg_vec3 best;
+    bool fixed = s->locked[c->to] || (s->border[c->to] && !s->border[c->from]) ||
+                 ktg_simplify_bond(s, c->to) > ktg_simplify_bond(s, c->from);
+    if (c->choice == 0 && choose_best(s, c, &q, &best)) {
         *position = from_frame(s, best);
         c->cost = ktg_quadric_error(&q, best);
         return true;
@@ -71,18 +104,26 @@ static bool choose(const ktg_simplify *s, ktg_candidate *c, ktg_vec3 *position) 
         c->choice = 1;
     if (c->choice > (fixed ? 1 : 2))
         return false;
-    double at_from = ktg_quadric_error(&q, a), at_to = ktg_quadric_error(&q, b);
+    double at_from = ktg_quadric_error(&q, to_frame(s, s->positions[c->from]));
+    double at_to = ktg_quadric_error(&q, to_frame(s, s->positions[c->to]));
     bool use_to = fixed || (at_to <= at_from) == (c->choice == 1);
     *position = s->positions[use_to ? c->to : c->from];
     c->cost = use_to ? at_to : at_from;
     return true;
 }
 
-/* A locked vertex stays, then a border vertex where an inner one joins it; otherwise the lower
- * number. */
+/* Who is to stay. */
+static int rank_of(const ktg_simplify *s, uint32_t vertex) {
+    ktg_seam_bond bond = ktg_simplify_bond(s, vertex);
+    bool stays = s->locked[vertex] || bond == KTG_SEAM_JUNCTION;
+    return 4 * stays + 2 * (bond == KTG_ON_SEAM) + s->border[vertex];
+}
+
+/* A locked vertex stays, then one of a seam or the border where an inner one joins it; otherwise
+ * the lower number. */
 static ktg_status push_edge(ktg_simplify *s, uint32_t a, uint32_t b) {
     ktg_vec3 position;
-    int rank_a = 2 * s->locked[a] + s->border[a], rank_b = 2 * s->locked[b] + s->border[b];
+    int rank_a = rank_of(s, a), rank_b = rank_of(s, b);
     bool swap = rank_a == rank_b ? a > b : rank_b > rank_a;
     ktg_candidate c = {.to = swap ? b : a, .from = swap ? a : b};
     c.stamp = s->stamps[a] + s->stamps[b];
@@ -124,8 +165,9 @@ ktg_status ktg_simplify_box_faces(ktg_simplify *s) {
 static ktg_status collapse(ktg_simplify *s, const ktg_candidate *c, ktg_vec3 position) {
     const uint32_t *around;
     s->quadrics[c->to] = ktg_quadric_sum(&s->quadrics[c->to], &s->quadrics[c->from]);
-    ktg_halfedges_collapse(s->halfedges, c->from, c->to);
+    KTG_TRY(ktg_halfedges_collapse(s->context, s->halfedges, c->from, c->to));
     ktg_simplify_blend_colours(s, c, position);
+    ktg_simplify_move_uvs(s, c);
     s->positions[c->to] = position;
     s->stamps[c->from]++;
     s->stamps[c->to]++;
@@ -153,8 +195,10 @@ static ktg_status step(ktg_simplify *s) {
     ktg_candidate c = pop(s);
     ktg_vec3 position;
     bool allowed = false;
-    if (c.stamp != s->stamps[c.from] + s->stamps[c.to] || !choose(s, &c, &position) ||
-        !ktg_halfedges_may_collapse(s->halfedges, c.from, c.to))
+    if (c.stamp != s->stamps[c.from] + s->stamps[c.to] || !choose(s, &c, &position))
+        return KTG_OK;
+    KTG_TRY(ktg_halfedges_may_collapse(s->context, s->halfedges, c.from, c.to, &allowed));
+    if (!allowed)
         return KTG_OK;
     KTG_TRY(ktg_simplify_allowed(s, &c, position, &allowed));
     if (allowed)
@@ -180,7 +224,9 @@ ktg_status ktg_simplify_run(ktg_simplify *s, uint32_t target_faces) {
             }
             KTG_TRY(step(s));
         }
-        if (s->live_faces == before)
+        if (s->live_faces == before && s->uv.kept)
+            s->uv.kept = false;
+        else if (s->live_faces == before)
             s->strictness++;
     }
     return KTG_OK;

@@ -61,8 +61,8 @@ extern "C" ktg_status ktg_halfedges_new(ktg_context *context, const ktg_mesh *me
                                 "face %u does not fit a manifold: repair the mesh first", f + 1);
         }
         made->decimater = std::make_unique<Decimater>(made->mesh);
-        made->faces.reserve(64);
-        made->vertices.reserve(64);
+        made->faces.reserve(mesh->face_count); /* whose filling cannot fail, then */
+        made->vertices.reserve(mesh->vertex_count);
         *halfedges = made.release();
         return KTG_OK;
     });
@@ -102,8 +102,7 @@ static bool may_lose_a_neighbour(const Mesh &mesh, Mesh::VertexHandle vertex) {
     return !vertex.is_valid() || mesh.is_boundary(vertex) || mesh.valence(vertex) > 3;
 }
 
-extern "C" bool ktg_halfedges_may_collapse(ktg_halfedges *h, uint32_t from, uint32_t to) {
-    Mesh::HalfedgeHandle edge = h->mesh.find_halfedge(handle(from), handle(to));
+static bool may_collapse(ktg_halfedges *h, Mesh::HalfedgeHandle edge) {
     if (!edge.is_valid())
         return false;
     Collapse collapse(h->mesh, edge);
@@ -111,6 +110,19 @@ extern "C" bool ktg_halfedges_may_collapse(ktg_halfedges *h, uint32_t from, uint
            may_lose_a_neighbour(h->mesh, collapse.vr) && h->decimater->is_legal(collapse);
 }
 
-extern "C" void ktg_halfedges_collapse(ktg_halfedges *h, uint32_t from, uint32_t to) {
-    h->mesh.collapse(h->mesh.find_halfedge(handle(from), handle(to)));
+/* OpenMesh takes memory for its test, and for a collapse. */
+extern "C" ktg_status ktg_halfedges_may_collapse(ktg_context *context, ktg_halfedges *h,
+                                                 uint32_t from, uint32_t to, bool *may) {
+    return ktg_guard(context, "half-edges", [&]() -> ktg_status {
+        *may = may_collapse(h, h->mesh.find_halfedge(handle(from), handle(to)));
+        return KTG_OK;
+    });
+}
+
+extern "C" ktg_status ktg_halfedges_collapse(ktg_context *context, ktg_halfedges *h, uint32_t from,
+                                             uint32_t to) {
+    return ktg_guard(context, "half-edges", [&]() -> ktg_status {
+        h->mesh.collapse(h->mesh.find_halfedge(handle(from), handle(to)));
+        return KTG_OK;
+    });
 }

@@ -188,5 +188,10 @@ ktg_status ktg_simplify_allowed(ktg_simplify *s, const ktg_candidate *candidate,
     KTG_TRY(gather(s, candidate, position));
     if (s->changed_count == 0 || !shapes_allowed(s) || !folds_allowed(s, candidate))
         return KTG_OK;
+    *allowed = true;
+    if (s->uv.corners)
+        KTG_TRY(ktg_simplify_uv_allowed(s, candidate, position, allowed));
+    if (!*allowed)
+        return KTG_OK;
     return intersections_allowed(s, allowed);
 }

@@ -1,4 +1,4 @@
-/* mesh/write.c - writing a model file: which format, numbers, STL, PLY and OFF. */
+/* mesh/write.c - writing a model file: which format, numbers, STL and OFF. */
 #include "mesh/write.h"
 #include "core/memory.h"
 #include "core/vec.h"
@@ -80,48 +80,15 @@ void ktg_put_point(ktg_writer *writer, ktg_vec3 point) {
     ktg_put_number(writer, point.z);
 }
 
-/* ---- PLY and OFF -------------------------------------------------------------------------- */
-
-/* Item `index` of an array of colours (NULL: none), behind what stands on the line already. */
-static void put_colour(ktg_writer *writer, const uint8_t *colours, size_t index) {
-    for (size_t k = 0; colours && k < 3; k++) {
+void ktg_put_triangle(ktg_writer *writer, const ktg_mesh *mesh, size_t face) {
+    ktg_put_text(writer, "3");
+    for (size_t k = 0; k < 3; k++) {
         ktg_put_text(writer, " ");
-        ktg_put_integer(writer, colours[3 * index + k]);
+        ktg_put_integer(writer, mesh->faces[3 * face + k]);
     }
 }
 
-static void put_rows(ktg_writer *writer, const ktg_mesh *mesh, const uint8_t *vertex_colours,
-                     const uint8_t *face_colours) {
-    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
-        ktg_put_point(writer, mesh->positions[i]);
-        put_colour(writer, vertex_colours, i);
-        ktg_put_text(writer, "\n");
-    }
-    for (size_t f = 0; f < mesh->face_count; f++) {
-        ktg_put_text(writer, "3");
-        for (size_t k = 0; k < 3; k++) {
-            ktg_put_text(writer, " ");
-            ktg_put_integer(writer, mesh->faces[3 * f + k]);
-        }
-        put_colour(writer, face_colours, f);
-        ktg_put_text(writer, "\n");
-    }
-}
-
-#define PLY_COLOUR "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-
-void ktg_write_ply(ktg_writer *writer, const ktg_mesh *mesh) {
-    ktg_put_text(writer, "ply\nformat ascii 1.0\ncomment written by Katagami\nelement vertex ");
-    ktg_put_integer(writer, mesh->vertex_count);
-    ktg_put_text(writer, "\nproperty double x\nproperty double y\nproperty double z\n");
-    ktg_put_text(writer, mesh->vertex_colours ? PLY_COLOUR : "");
-    ktg_put_text(writer, "element face ");
-    ktg_put_integer(writer, mesh->face_count);
-    ktg_put_text(writer, "\nproperty list uchar uint vertex_indices\n");
-    ktg_put_text(writer, mesh->face_colours ? PLY_COLOUR : "");
-    ktg_put_text(writer, "end_header\n");
-    put_rows(writer, mesh, mesh->vertex_colours, mesh->face_colours);
-}
+/* ---- OFF ---------------------------------------------------------------------------------- */
 
 void ktg_write_off(ktg_writer *writer, const ktg_mesh *mesh) {
     ktg_put_text(writer, "OFF\n");
@@ -129,7 +96,14 @@ void ktg_write_off(ktg_writer *writer, const ktg_mesh *mesh) {
     ktg_put_text(writer, " ");
     ktg_put_integer(writer, mesh->face_count);
     ktg_put_text(writer, " 0\n");
-    put_rows(writer, mesh, NULL, NULL);
+    for (uint32_t i = 0; i < mesh->vertex_count; i++) {
+        ktg_put_point(writer, mesh->positions[i]);
+        ktg_put_text(writer, "\n");
+    }
+    for (size_t f = 0; f < mesh->face_count; f++) {
+        ktg_put_triangle(writer, mesh, f);
+        ktg_put_text(writer, "\n");
+    }
 }
 
 /* ---- STL ---------------------------------------------------------------------------------- */

@@ -29,6 +29,8 @@ void ktg_put_integer(ktg_writer *writer, uint64_t number);
 void ktg_put_number(ktg_writer *writer, double number);
 /* "x y z" */
 void ktg_put_point(ktg_writer *writer, ktg_vec3 point);
+/* "3 a b c", counted from 0 */
+void ktg_put_triangle(ktg_writer *writer, const ktg_mesh *mesh, size_t face);
 
 void ktg_write_obj(ktg_writer *writer, const ktg_mesh *mesh);
 void ktg_write_stl(ktg_writer *writer, const ktg_mesh *mesh);

@@ -9,6 +9,9 @@
 /* Where a face looks away from the model's by more than a right angle it is asked again from
  * outside, so that a thin part is not given the colours of its other side. */
 #define FROM_OUTSIDE 2.0
+/* So many half dots from a corner of 30 degrees a point is away from both its edges. */
+#define SHARP_CORNER 4.0
+#define MOST_ROUNDS  16
 
 /* ---- along a face -------------------------------------------------------------------------- */
 
@@ -32,28 +35,47 @@ static ktg_vec3 mix3(const ktg_vec3 p[3], const double w[3]) {
     return ktg_add3(ktg_add3(ktg_mul3(p[0], w[0]), ktg_mul3(p[1], w[1])), ktg_mul3(p[2], w[2]));
 }
 
-/* Between two dots of an image a bit of both is seen: at an edge beyond which it shows something
- * else the place moves half a dot (of a level's) inwards, as far as the triangle has room; near a
- * corner where there is such an edge, also one of a neighbour, away from all edges. */
-static ktg_vec2 keep_inside(const ktg_look *look, ktg_vec2 at, double half) {
+/* Twice the area of the face in its image, and the radius of the circle in it. */
+static double room_of(const ktg_look *look, double *radius) {
     const ktg_vec2 *p = look->dots;
-    double twice = ktg_cross2(ktg_sub2(p[1], p[0]), ktg_sub2(p[2], p[0]));
-    double side = twice < 0 ? -1 : 1, around = 0;
+    double twice = ktg_cross2(ktg_sub2(p[1], p[0]), ktg_sub2(p[2], p[0])), around = 0;
     for (size_t k = 0; k < 3; k++)
         around += ktg_length2(ktg_sub2(p[(k + 1) % 3], p[k]));
-    if (!(fabs(twice) > 0))
-        return at;
-    half = ktg_min(half, fabs(twice) / around); /* the radius of the inscribed circle */
-    bool corner = false;
+    *radius = around > 0 ? fabs(twice) / around : 0;
+    return twice;
+}
+
+/* Edges to keep away from, as bits: those beyond which the image shows something else; near a
+ * corner where there is such an edge, also one of a neighbour, all. */
+static unsigned edges_near(const ktg_look *look, ktg_vec2 at, double half) {
     for (size_t k = 0; k < 3; k++)
-        corner = corner || (look->borders & 8u << k && ktg_length2(ktg_sub2(at, p[k])) < 2 * half);
-    for (size_t k = 0; k < 3; k++) {
-        if (!corner && !(look->borders & 1u << k))
-            continue;
-        ktg_vec2 in = ktg_mul2(ktg_perp2(ktg_unit2(ktg_sub2(p[(k + 1) % 3], p[k]))), side);
-        double from = ktg_dot2(ktg_sub2(at, p[k]), in);
-        if (from < half)
+        if (look->borders & 8u << k &&
+            ktg_length2(ktg_sub2(at, look->dots[k])) < SHARP_CORNER * half)
+            return 7;
+    return look->borders & 7u;
+}
+
+/* Between two dots of an image a bit of both is seen. So what is nearer than half a dot (of a
+ * level's) to such an edge moves inwards, as far as the triangle has room: to one edge after the
+ * other, until it is away from all. */
+static ktg_vec2 keep_inside(const ktg_look *look, ktg_vec2 at, double half) {
+    double radius, twice = room_of(look, &radius);
+    const ktg_vec2 *p = look->dots;
+    half = ktg_min(half, radius);
+    unsigned edges = half > 0 ? edges_near(look, at, half) : 0;
+    for (int round = 0; round < MOST_ROUNDS && edges; round++) {
+        bool moved = false;
+        for (size_t k = 0; k < 3; k++) {
+            ktg_vec2 along = ktg_unit2(ktg_sub2(p[(k + 1) % 3], p[k]));
+            ktg_vec2 in = ktg_mul2(ktg_perp2(along), twice < 0 ? -1 : 1);
+            double from = ktg_dot2(ktg_sub2(at, p[k]), in);
+            if (!(edges & 1u << k) || from >= half - 1e-6)
+                continue;
             at = ktg_madd2(at, half - from, in);
+            moved = true;
+        }
+        if (!moved)
+            break;
     }
     return at;
 }

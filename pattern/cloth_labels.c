@@ -3,6 +3,7 @@
 #include "pattern/cloth_labels.h"
 
 #include "core/memory.h"
+#include "core/text.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -182,27 +183,30 @@ static bool has_hem(const ktg_topology *t, uint32_t p) {
     return false;
 }
 
-/* Which piece it is, of those that are printed. */
-static void write_number(const ktg_pattern *pattern, uint32_t p, char text[TEXT_SIZE]) {
-    unsigned number = 0, count = 0;
-    for (uint32_t q = 0; q < pattern->piece_count; q++) {
-        count += pattern->pieces[q].cut_count > 0;
-        number += q <= p && pattern->pieces[q].cut_count > 0;
-    }
-    snprintf(text, TEXT_SIZE, "piece %u of %u", number, count);
+/* Pieces that are printed: how many there are, and how many up to the one that is named. */
+typedef struct tally {
+    unsigned number, count;
+} tally;
+
+static unsigned count_printed(const ktg_pattern *pattern) {
+    unsigned count = 0;
+    for (uint32_t p = 0; p < pattern->piece_count; p++)
+        count += pattern->pieces[p].cut_count > 0;
+    return count;
 }
 
-static block block_of(const ktg_label_sheet *sheet, uint32_t p) {
+static block block_of(const ktg_label_sheet *sheet, uint32_t p, tally printed) {
     const ktg_finish_options *options = sheet->options;
     block b = {.count = 0};
     write_name(&sheet->pattern->pieces[p], p, add_line(&b, 1));
     write_cut(&sheet->pattern->pieces[p], add_line(&b, 0.7));
     if (sheet->pattern->piece_count > 1)
-        write_number(sheet->pattern, p, add_line(&b, 0.5));
+        snprintf(add_line(&b, 0.5), TEXT_SIZE, "piece %u of %u", printed.number, printed.count);
     char *allowances = add_line(&b, 0.4);
-    int length = snprintf(allowances, TEXT_SIZE, "with %.4g mm", options->allowance_mm);
+    int length = ktg_format(allowances, TEXT_SIZE, "with %.4g mm", options->allowance_mm);
     if (has_hem(sheet->topology, p) && length > 0 && (size_t)length < TEXT_SIZE)
-        snprintf(allowances + length, TEXT_SIZE - (size_t)length, ", hem %.4g mm", options->hem_mm);
+        ktg_format(allowances + length, TEXT_SIZE - (size_t)length, ", hem %.4g mm",
+                   options->hem_mm);
     return b;
 }
 
@@ -271,8 +275,9 @@ static ktg_vec2 middle_face(const ktg_pattern_piece *piece) {
 
 /* Smaller and, when it would be too small, with fewer lines, until there is room: a piece of cloth
  * is never without its name. */
-static ktg_status name_piece(ktg_context *context, ktg_label_sheet *sheet, uint32_t p) {
-    block b = block_of(sheet, p);
+static ktg_status name_piece(ktg_context *context, ktg_label_sheet *sheet, uint32_t p,
+                             tally printed) {
+    block b = block_of(sheet, p, printed);
     ktg_label_box box = {0};
     for (; b.count > 0; b.count--)
         for (double mm = NAME_MM; mm * b.height[b.count - 1] >= KTG_LABEL_LEAST_MM; mm *= SHRINK)
@@ -304,12 +309,15 @@ static ktg_status name_fold(ktg_context *context, ktg_label_sheet *sheet, uint32
 }
 
 ktg_status ktg_cloth_labels_write(ktg_context *context, ktg_label_sheet *sheet) {
-    uint32_t count = (uint32_t)sheet->pattern->piece_count;
+    const ktg_pattern *pattern = sheet->pattern;
+    tally printed = {0, count_printed(pattern)};
     if (sheet->options->numbers != KTG_NUMBER_NONE)
         KTG_TRY(number_seams(context, sheet));
-    for (uint32_t p = 0; p < count; p++) {
+    for (uint32_t p = 0; p < pattern->piece_count; p++) {
+        printed.number += pattern->pieces[p].cut_count > 0;
+        KTG_TRY(ktg_check_cancel(context));
         KTG_TRY(name_fold(context, sheet, p));
-        KTG_TRY(name_piece(context, sheet, p));
+        KTG_TRY(name_piece(context, sheet, p, printed));
     }
     return KTG_OK;
 }

@@ -3,6 +3,7 @@
 #include "pattern/finish.h"
 
 #include "core/memory.h"
+#include "pattern/build_order.h"
 #include "pattern/tabs.h"
 
 void ktg_finish_defaults(ktg_finish_options *options) {
@@ -14,6 +15,7 @@ void ktg_finish_defaults(ktg_finish_options *options) {
                                     .tab_side = KTG_TAB_ALTERNATE,
                                     .numbers = KTG_NUMBER_SEAM,
                                     .number_mm = 2.4,
+                                    .up = 1,
                                     .allowance_mm = 10,
                                     .hem_mm = 20,
                                     .notch_mm = 5,
@@ -79,6 +81,8 @@ static ktg_status finish(ktg_context *context, const ktg_topology *topology,
                          const ktg_finish_options *options, ktg_pattern *pattern,
                          ktg_finish_report *report) {
     KTG_TRY(ktg_seams_find(context, topology, pattern));
+    if (pattern->mode == KTG_PAPER && pattern->vertex_count > 0) /* a trial has no surface */
+        KTG_TRY(ktg_build_order(context, topology, options->up, pattern));
     KTG_TRY(ktg_finish_shapes(context, topology, options, pattern, report));
     report->seams = (uint32_t)pattern->seam_count;
     for (size_t e = 0; e < pattern->edge_count; e++)

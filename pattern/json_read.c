@@ -290,6 +290,11 @@ static ktg_status read_seam(const ktg_json *object, const ktg_json_reader *r, ui
     KTG_TRY(ktg_json_get_optional(object, "number", KTG_JSON_INTEGER, &item));
     if (item.value)
         KTG_TRY(ktg_json_count(object, "number", KTG_JSON_MOST_COUNT, &seam->number));
+    KTG_TRY(ktg_json_get_optional(object, "closing", KTG_JSON_BOOLEAN, &item));
+    seam->closing = item.value && json_is_true(item.value);
+    KTG_TRY(ktg_json_get_optional(object, "section", KTG_JSON_INTEGER, &item));
+    if (item.value)
+        KTG_TRY(ktg_json_count(object, "section", KTG_JSON_MOST_COUNT, &seam->section));
     KTG_TRY(read_notches(object, seam));
     KTG_TRY(ktg_json_item(&sides, 0, KTG_JSON_OBJECT, &side));
     KTG_TRY(ktg_json_get(&side, "edges", KTG_JSON_ARRAY, &list));
@@ -409,7 +414,8 @@ static ktg_status parse(ktg_context *context, const char *path, const char *byte
     *root = json_loadb(bytes, size, JSON_REJECT_DUPLICATES, &error);
     if (*root)
         return KTG_OK;
-    if (json_error_code(&error) == json_error_out_of_memory)
+    bool no_place = error.line < 0; /* it did not come as far as the first character */
+    if (no_place || json_error_code(&error) == json_error_out_of_memory)
         return ktg_fail(context, KTG_MEMORY, "%s: out of memory", path);
     for (char *c = error.text; *c; c++)
         if (*c < ' ' || *c > '~')

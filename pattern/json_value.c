@@ -1,6 +1,7 @@
 /* pattern/json_value.c - looking into a parsed JSON file with the way to each value at hand. */
 #include "pattern/json_value.h"
 #include "core/memory.h"
+#include "core/text.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -26,7 +27,7 @@ ktg_status ktg_json_refuse(const ktg_json *at, const char *format, ...) {
     char way[MOST_WAY] = "", what[MOST_WAY];
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(what, sizeof what, format, arguments);
+    ktg_vformat(what, sizeof what, format, arguments);
     va_end(arguments);
     write_way(at, way, sizeof way);
     return ktg_fail(at->context, KTG_FORMAT, "%s: %s%s%s", at->path, way, *way ? ": " : "", what);

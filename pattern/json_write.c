@@ -376,6 +376,11 @@ static void write_seam(writer *w, const ktg_pattern_seam *seam, size_t id) {
         put(w, ",\"number\":");
         count(w, seam->number);
     }
+    if (seam->section > 0) {
+        put(w, ",\"section\":");
+        count(w, seam->section);
+    }
+    put(w, seam->closing ? ",\"closing\":true" : "");
     if (seam->notch_count > 0)
         write_notches(w, seam);
     put(w, "}");

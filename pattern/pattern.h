@@ -138,12 +138,16 @@ typedef struct ktg_pattern_seam {
     uint8_t *first_side;  /* edge_count: which of the edge's sides belongs to the seam's side 0 */
     uint32_t pieces[2];   /* indices into pieces (the same one for a seam of a piece with itself) */
     double lengths_mm[2]; /* measured in 2D */
-    bool obvious;    /* paper: its sides meet in a point and lie side by side, so that it needs no
-                        number; such seams come last */
-    bool dart;       /* cloth: it ends inside its piece, and what lies between its sides is folded
-                        away, not cut out */
-    uint32_t number; /* what its label says, from 1; cloth: seams that are mirror images of each
-                        other have the same */
+    bool obvious;     /* paper: its sides meet in a point and lie side by side, so that it needs no
+                         number; such seams come last, in the order in which they are glued, too */
+    bool dart;        /* cloth: it ends inside its piece, and what lies between its sides is folded
+                         away, not cut out */
+    uint32_t number;  /* what its label says, from 1; paper: in the order in which seams are glued;
+                         cloth: seams that are mirror images of each other have the same */
+    uint32_t section; /* paper: the step of the building it belongs to, from 1: some seams that lie
+                         together and are glued one after the other, obvious ones among them; each
+                         step follows those before. 0: nobody said */
+    bool closing;     /* paper: one of the seams a body is closed with at last, all at once */
     size_t notch_count;
     ktg_pattern_notch *notches; /* notch_count; cloth */
 } ktg_pattern_seam;
@@ -253,7 +257,7 @@ typedef enum ktg_number_style {
 
 /* How a pattern is finished. ktg_finish_defaults gives: tabs of 5 mm, flanks of 50 degrees,
  * alternate sides, inset 0.3 mm, at least 2 mm high, edges from 4 mm; numbers per seam, 2.4 mm
- * high; allowance 10 mm, hem 20 mm, notches of 5 mm every 250 mm, twins. */
+ * high; y is up; allowance 10 mm, hem 20 mm, notches of 5 mm every 250 mm, twins. */
 typedef struct ktg_finish_options {
     double tab_height_mm; /* 0: no tabs */
     double tab_flank;     /* radians, the steepest flank angle */
@@ -263,6 +267,8 @@ typedef struct ktg_finish_options {
     ktg_tab_side tab_side;
     ktg_number_style numbers;
     double number_mm; /* height of a digit, where there is room */
+    unsigned up; /* which axis is height (0, 1, 2): the seam that closes the model had better be
+                    low */
 
     /* cloth */
     double allowance_mm;   /* along seams */

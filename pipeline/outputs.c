@@ -1,14 +1,12 @@
 /* pipeline/outputs.c - which files to write, and writing them all or none. */
 #include "pipeline/outputs.h"
 #include "core/memory.h"
+#include "core/target.h"
 
-#include <errno.h>
 #include <limits.h>
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 typedef enum output_kind {
     OUTPUT_UNKNOWN,
@@ -34,56 +32,6 @@ static output_kind kind_of(const char *path) {
     return OUTPUT_UNKNOWN;
 }
 
-/* The folder of a path, with its slash ("./" where it names none). */
-static bool folder_of(const char *path, char *folder, size_t size) {
-    const char *slash = strrchr(path, '/');
-    int length = slash ? snprintf(folder, size, "%.*s", (int)(slash + 1 - path), path)
-                       : snprintf(folder, size, "./");
-    return length >= 0 && (size_t)length < size;
-}
-
-static bool same_inode(const struct stat *a, const struct stat *b) {
-    return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
-}
-
-/* Two paths of one file, whether it exists or not. Devices may be named as often as one likes. */
-static bool same_file(const char *a, const char *b) {
-    struct stat x, y;
-    char folder_a[PATH_MAX], folder_b[PATH_MAX];
-    if (stat(a, &x) == 0 && stat(b, &y) == 0)
-        return S_ISREG(x.st_mode) && same_inode(&x, &y);
-    if (strcmp(a, b) == 0)
-        return true;
-    const char *slash_a = strrchr(a, '/'), *slash_b = strrchr(b, '/');
-    return strcmp(slash_a ? slash_a + 1 : a, slash_b ? slash_b + 1 : b) == 0 &&
-           folder_of(a, folder_a, sizeof folder_a) && folder_of(b, folder_b, sizeof folder_b) &&
-           stat(folder_a, &x) == 0 && stat(folder_b, &y) == 0 && same_inode(&x, &y);
-}
-
-/* The search may take minutes: better to know before it that its result cannot be kept. */
-static ktg_status check_writable(ktg_context *context, const char *path) {
-    struct stat about;
-    char folder[PATH_MAX];
-    if (strcmp(path, "-") == 0)
-        return KTG_OK;
-    if (stat(path, &about) == 0) {
-        if (S_ISDIR(about.st_mode))
-            return ktg_fail(context, KTG_FILE, "%s: is a folder; name a file in it", path);
-        if (access(path, W_OK) != 0)
-            return ktg_fail(context, KTG_FILE, "%s: cannot be written: %s", path, strerror(errno));
-        if (!S_ISREG(about.st_mode))
-            return KTG_OK;
-    } else if (errno != ENOENT) {
-        return ktg_fail(context, KTG_FILE, "%s: cannot be written: %s", path, strerror(errno));
-    }
-    if (!folder_of(path, folder, sizeof folder))
-        return ktg_fail(context, KTG_FILE, "%s: cannot be written: the path is too long", path);
-    if (access(folder, W_OK | X_OK) != 0)
-        return ktg_fail(context, KTG_FILE, "%s: cannot be written: %s%s", path, strerror(errno),
-                        errno == ENOENT ? "; make its folder first" : "");
-    return KTG_OK;
-}
-
 /* The i-th path to be written, the report being the last one; NULL when there are no more. */
 static const char *path_at(const ktg_pipeline_options *options, size_t i) {
     if (i < options->output_count)
@@ -91,15 +39,37 @@ static const char *path_at(const ktg_pipeline_options *options, size_t i) {
     return i == options->output_count ? options->report : NULL;
 }
 
-/* The files of edges, and the edit, are somebody's work, too. */
+/* Among the files of edges. */
 static bool names_edges(const ktg_pipeline_options *options, const char *path) {
     for (size_t i = 0; i < options->keep_count; i++)
-        if (same_file(path, options->keep[i]))
+        if (ktg_target_same(path, options->keep[i]))
             return true;
     for (size_t i = 0; i < options->cut_count; i++)
-        if (same_file(path, options->cut[i]))
+        if (ktg_target_same(path, options->cut[i]))
             return true;
     return false;
+}
+
+/* What is read is somebody's work. */
+static ktg_status check_not_read(ktg_context *context, const ktg_pipeline_options *options,
+                                 const char *path) {
+    if (strcmp(path, "-") == 0)
+        return KTG_OK;
+    if (options->model && ktg_target_same(path, options->model))
+        return ktg_fail(context, KTG_ARGUMENT, "%s: is the model itself; name another output",
+                        path);
+    if (names_edges(options, path))
+        return ktg_fail(context, KTG_ARGUMENT,
+                        "%s: is a file of edges or handles to be read; name another output", path);
+    if (options->edit && ktg_target_same(path, options->edit))
+        return ktg_fail(context, KTG_ARGUMENT,
+                        "%s: is the edit file to be read; name another output", path);
+    return KTG_OK;
+}
+
+/* "-", too, can be written once only. */
+static bool same_output(const char *a, const char *b) {
+    return strcmp(a, "-") == 0 || strcmp(b, "-") == 0 ? strcmp(a, b) == 0 : ktg_target_same(a, b);
 }
 
 ktg_status ktg_outputs_check(ktg_context *context, const ktg_pipeline_options *options) {
@@ -110,36 +80,42 @@ ktg_status ktg_outputs_check(ktg_context *context, const ktg_pipeline_options *o
                             "%s: no such kind of output; .pdf, .svg, .dxf, .png and .json can be "
                             "written",
                             path);
-        if (strcmp(path, "-") != 0 && same_file(path, options->model))
-            return ktg_fail(context, KTG_ARGUMENT, "%s: is the model itself; name another output",
-                            path);
-        if (strcmp(path, "-") != 0 && names_edges(options, path))
-            return ktg_fail(context, KTG_ARGUMENT,
-                            "%s: is a file of edges or handles to be read; name another output",
-                            path);
-        if (strcmp(path, "-") != 0 && options->edit && same_file(path, options->edit))
-            return ktg_fail(context, KTG_ARGUMENT,
-                            "%s: is the edit file to be read; name another output", path);
+        KTG_TRY(check_not_read(context, options, path));
         for (size_t j = 0; j < i; j++)
-            if (same_file(path, options->outputs[j]))
+            if (same_output(path, options->outputs[j]))
                 return ktg_fail(context, KTG_ARGUMENT,
                                 "%s: is to be written twice; name another output", path);
     }
     for (size_t i = 0; (path = path_at(options, i)); i++)
-        KTG_TRY(check_writable(context, path));
+        KTG_TRY(ktg_output_check(context, path));
     return KTG_OK;
 }
 
-/* Names of sheets may meet another output's only now. */
-static ktg_status open_next(ktg_context *context, ktg_outputs *open, const char *path,
-                            ktg_output **output) {
-    for (size_t i = 0; i < open->count; i++)
-        if (strcmp(path, ktg_output_path(open->items[i])) == 0 && strcmp(path, "/dev/null") != 0)
-            return ktg_fail(context, KTG_ARGUMENT,
-                            "%s: is to be written twice; name another output", path);
+/* Is the last one to be what another one is to be? */
+static bool is_there_twice(const ktg_outputs *open) {
+    const ktg_output *last = open->items[open->count - 1];
+    const char *place = ktg_output_target(last);
+    for (size_t i = 0; place && i + 1 < open->count; i++) {
+        const char *other = ktg_output_target(open->items[i]);
+        if (other && strcmp(place, other) == 0)
+            return true;
+    }
+    return false;
+}
+
+/* Files of sheets have names that are known only now, and may meet another output's, or that of a
+ * file that is read. */
+static ktg_status open_next(ktg_context *context, const ktg_pipeline_options *options,
+                            ktg_outputs *open, const char *path, ktg_output **output) {
+    KTG_TRY(check_not_read(context, options, path));
+    if (open->count > 0) /* so that few are open at a time */
+        KTG_TRY(ktg_output_finish(context, open->items[open->count - 1]));
     KTG_TRY(ktg_reserve(context, &open->items, &open->capacity, open->count + 1));
     KTG_TRY(ktg_output_open(context, path, &open->items[open->count]));
     *output = open->items[open->count++];
+    if (is_there_twice(open))
+        return ktg_fail(context, KTG_ARGUMENT, "%s: is to be written twice; name another output",
+                        path);
     return KTG_OK;
 }
 
@@ -176,7 +152,7 @@ static ktg_status write_sheet(ktg_context *context, const ktg_pipeline_options *
     if (!name)
         return KTG_MEMORY;
     ktg_output *output = NULL;
-    ktg_status status = open_next(context, open, name, &output);
+    ktg_status status = open_next(context, options, open, name, &output);
     ktg_free(name);
     if (status != KTG_OK)
         return status;
@@ -190,16 +166,16 @@ static ktg_status write_one(ktg_context *context, const ktg_pipeline_options *op
     output_kind kind = kind_of(path);
     ktg_output *output = NULL;
     if (kind == OUTPUT_PDF || kind == OUTPUT_JSON) {
-        KTG_TRY(open_next(context, open, path, &output));
+        KTG_TRY(open_next(context, options, open, path, &output));
         return kind == OUTPUT_PDF ? ktg_render_pdf(context, pattern, &options->render, output)
                                   : ktg_pattern_write_json(context, pattern, output);
     }
     if (kind == OUTPUT_PNG && pattern->sheet_count > 1 && !number_place(path)) {
-        KTG_TRY(open_next(context, open, path, &output));
+        KTG_TRY(open_next(context, options, open, path, &output));
         return ktg_render_contact(context, pattern, &options->render, output);
     }
     if (kind == OUTPUT_DXF && pattern->mode == KTG_CLOTH && !options->render.plain_dxf) {
-        KTG_TRY(open_next(context, open, path, &output));
+        KTG_TRY(open_next(context, options, open, path, &output));
         return ktg_render_astm(context, pattern, &options->render, output);
     }
     for (size_t sheet = 0; sheet < pattern->sheet_count; sheet++)
@@ -222,7 +198,7 @@ ktg_status ktg_outputs_write_report(ktg_context *context, const ktg_pipeline_opt
     ktg_output *output = NULL;
     if (!options->report)
         return KTG_OK;
-    KTG_TRY(open_next(context, outputs, options->report, &output));
+    KTG_TRY(open_next(context, options, outputs, options->report, &output));
     return ktg_pipeline_write_report(context, options, report, pattern, output);
 }
 

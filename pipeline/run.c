@@ -80,7 +80,8 @@ static ktg_status repair(ktg_context *context, const ktg_pipeline_options *optio
     ktg_progress(context, "repair", 0, NULL);
     KTG_TRY(ktg_mesh_repair(context, mesh, &report->repair));
     tell_repair(context, &report->repair);
-    return KTG_OK;
+    double extent;
+    return ktg_mesh_check_extent(context, mesh, &extent);
 }
 
 /* What was left of the model's faces may pass through each other. */

@@ -55,6 +55,7 @@ static ktg_status put(const task *t, const ktg_layout_options *wish, double mm_p
                       ktg_pattern *pattern, ktg_pipeline_report *report) {
     ktg_layout_options layout = *wish;
     ktg_finish_options finish = t->options->finish;
+    finish.up = (unsigned)(ktg_size_up(t->options) - KTG_AXIS_X);
     if (t->options->marker) { /* every piece, and the whole of it */
         finish.twins = false;
         finish.on_fold_count = 0;

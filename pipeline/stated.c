@@ -2,6 +2,7 @@
  * outlines show it. */
 #include "pipeline/stated.h"
 #include "core/memory.h"
+#include "core/text.h"
 #include "core/vec.h"
 
 #include <stdio.h>
@@ -122,5 +123,5 @@ void ktg_stated_sheet(const ktg_pattern *pattern, ktg_layout_options *layout) {
     format->width_mm = sheet->width_mm;
     format->height_mm = layout->roll ? KTG_LAYOUT_PAGE_MM : sheet->height_mm;
     format->margin_mm = fmax(0, sheet->printable[0]);
-    snprintf(format->name, sizeof format->name, "%.5gx%.5g", sheet->width_mm, sheet->height_mm);
+    ktg_format(format->name, sizeof format->name, "%.5gx%.5g", sheet->width_mm, sheet->height_mm);
 }

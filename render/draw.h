@@ -63,10 +63,12 @@ typedef struct ktg_drawing {
     size_t joint_count;
     ktg_joint_mark *joints;
     unsigned kinds;        /* which strokes occur, as bits */
-    const uint32_t *tints; /* of the surface's faces in pictures of solids, 0xRRGGBB; NULL: white */
+    const uint32_t *tints; /* of the surface's faces in pictures of solids, 0xRRGGBB; NULL: ... */
+    uint32_t *piece_tints; /* ... those of their pieces; NULL: white */
 } ktg_drawing;
 
-/* ---- options.c, folds.c, joints.c --------------------------------------------------------- */
+/* ---- options.c, folds.c, joints.c, piece_tints.c
+ * --------------------------------------------------------- */
 
 /* Checks that `pattern` can be drawn (finished, laid out, indices in range) and collects what all
  * sheets share. Free with ktg_drawing_free. */
@@ -82,6 +84,11 @@ void ktg_drawing_free(ktg_drawing **drawing);
 KTG_NODISCARD ktg_status ktg_drawing_find_folds(ktg_drawing *drawing);
 /* Fills joints: the edges without a tab, where there are tabs at all. */
 KTG_NODISCARD ktg_status ktg_drawing_find_joints(ktg_drawing *drawing);
+
+/* Fills piece_tints: neighbours differ. */
+KTG_NODISCARD ktg_status ktg_drawing_find_tints(ktg_drawing *drawing);
+/* The colour 0xRRGGBB, or a grey as bright where no colours are wished for. */
+uint32_t ktg_drawing_colour(const ktg_drawing *drawing, uint32_t colour);
 
 /* place[f] becomes face f's index within its piece. */
 void ktg_drawing_fill_places(const ktg_pattern *pattern, uint32_t *place);
@@ -323,6 +330,8 @@ ktg_column ktg_column_begin(const ktg_drawing *drawing, cairo_t *cairo, double w
 void ktg_column_write(ktg_column *at, ktg_face face, double digit_mm, double indent,
                       const char *text);
 void ktg_column_skip(ktg_column *at, double mm);
+/* The text in lines no longer than the column is wide; with `dry` it only takes its room. */
+void ktg_column_wrap(ktg_column *at, ktg_face face, double digit_mm, const char *text, bool dry);
 
 /* ---- tile.c, map.c, solid.c, cover.c, names.c
  * ------------------------------------------------------ */
@@ -368,8 +377,7 @@ ktg_vec2 ktg_map_size(const ktg_drawing *drawing, uint32_t poster);
 void ktg_map_draw(const ktg_drawing *drawing, cairo_t *cairo, uint32_t poster, ktg_vec2 corner,
                   double scale);
 
-/* Whether a picture of the finished model helps: of paper, in several pieces, not of too many
- * faces. */
+/* Whether a picture of the finished model helps: of paper, in several pieces. */
 bool ktg_solid_is_wanted(const ktg_drawing *drawing);
 /* The model in a square, seen from the front, or from behind, a little from the right and above. */
 KTG_NODISCARD ktg_status ktg_solid_draw(const ktg_drawing *drawing, cairo_t *cairo, ktg_area area,
@@ -390,6 +398,22 @@ void ktg_test_square_draw(cairo_t *cairo, double x, double y);
 
 /* A page of its own that tells how to read the pattern. */
 void ktg_guide_draw(const ktg_drawing *drawing, cairo_t *cairo, double width_mm, double height_mm);
+
+/* ---- build_page.c ------------------------------------------------------------------------- */
+
+/* "How to build it": the finished model, then step by step which seams are glued. */
+typedef struct ktg_build_guide ktg_build_guide;
+
+bool ktg_build_guide_is_wanted(const ktg_drawing *drawing);
+KTG_NODISCARD ktg_status ktg_build_guide_new(const ktg_drawing *drawing, ktg_build_guide **guide);
+void ktg_build_guide_free(ktg_build_guide **guide);
+/* The size of its pages: that of the sheets, A4 where those are very small or large. */
+void ktg_build_guide_size(const ktg_drawing *drawing, double *width_mm, double *height_mm);
+/* Draws the next page; there is always a first one. */
+KTG_NODISCARD ktg_status ktg_build_guide_draw(ktg_build_guide *guide, cairo_t *cairo,
+                                              double width_mm, double height_mm);
+/* Whether all pages are drawn. */
+bool ktg_build_guide_is_done(const ktg_build_guide *guide);
 
 /* ---- surface.c ---------------------------------------------------------------------------- */
 

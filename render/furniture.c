@@ -1,5 +1,6 @@
 /* render/furniture.c - title, legend and rulers in the strips between the printable area and the
  * paper's edge. They never take room from the pieces. */
+#include "core/text.h"
 #include "render/draw.h"
 
 #include <stdio.h>
@@ -38,12 +39,12 @@ size_t ktg_furniture_details(const ktg_drawing *drawing, size_t sheet,
     else
         snprintf(details[count++], KTG_DETAIL_SIZE, "%zu sheet%s", sheets, sheets == 1 ? "" : "s");
     if (pattern->mm_per_unit > 0)
-        snprintf(details[count++], KTG_DETAIL_SIZE, "%.4g mm per unit", pattern->mm_per_unit);
+        ktg_format(details[count++], KTG_DETAIL_SIZE, "%.4g mm per unit", pattern->mm_per_unit);
     if (pattern->vertex_count > 0) {
         ktg_vec3 size = finished_size(pattern);
-        snprintf(details[count++], KTG_DETAIL_SIZE,
-                 "finished size %.4g \xc3\x97 %.4g \xc3\x97 %.4g mm", round(size.x), round(size.y),
-                 round(size.z));
+        ktg_format(details[count++], KTG_DETAIL_SIZE,
+                   "finished size %.4g \xc3\x97 %.4g \xc3\x97 %.4g mm", round(size.x),
+                   round(size.y), round(size.z));
     }
     if (drawing->options.marker && sheet != SIZE_MAX)
         ktg_marker_tell(&pattern->sheets[sheet], details[count++]);

@@ -110,6 +110,24 @@ static void set_ink(const ktg_page *page, const ktg_placed_label *placed, double
     cairo_set_source_rgb(page->cairo, grey, grey, grey);
 }
 
+/* Where there is a picture of the model in which pieces have colours. */
+static bool has_tinted_names(const ktg_page *page) {
+    const ktg_drawing *drawing = page->drawing;
+    return drawing->pattern->mode == KTG_PAPER && drawing->pattern->piece_count > 1 &&
+           drawing->piece_tints && !page->colours;
+}
+
+/* A name lies on the colour its piece has in pictures of the model. */
+static void draw_name_ground(const ktg_page *page, uint32_t piece, const ktg_pattern_label *label,
+                             double width) {
+    uint32_t tint = page->drawing->piece_tints[piece];
+    double aside = label->height_mm / 2, high = 1.9 * label->height_mm;
+    cairo_set_source_rgb(page->cairo, (tint >> 16 & 255) / 255.0, (tint >> 8 & 255) / 255.0,
+                         (tint & 255) / 255.0);
+    cairo_rectangle(page->cairo, -width / 2 - aside, -high / 2, width + 2 * aside, high);
+    cairo_fill(page->cairo);
+}
+
 /* A name may cross folds, and so may a number away from its edge: there they are interrupted. */
 void ktg_draw_grounds(const ktg_page *page, const ktg_pattern_placement *placement) {
     const ktg_pattern_piece *piece = &page->drawing->pattern->pieces[placement->piece];
@@ -123,9 +141,13 @@ void ktg_draw_grounds(const ktg_page *page, const ktg_pattern_placement *placeme
             draw_leader(page, placement, label);
         if (!begin_label(page, placement, label, &placed))
             continue;
-        set_ground(page, &placed);
-        ktg_text_halo(cairo, -placed.width / 2, label->height_mm / 2, placed.text,
-                      label->height_mm / 3);
+        if (label->edge == KTG_NONE && has_tinted_names(page)) {
+            draw_name_ground(page, placement->piece, label, placed.width);
+        } else {
+            set_ground(page, &placed);
+            ktg_text_halo(cairo, -placed.width / 2, label->height_mm / 2, placed.text,
+                          label->height_mm / 3);
+        }
         cairo_restore(cairo);
     }
 }

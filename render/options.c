@@ -12,6 +12,7 @@ void ktg_render_defaults(ktg_render_options *options) {
                                     .dots_per_inch = 150,
                                     .up = 1,
                                     .colour = true,
+                                    .guide = true,
                                     .strain_map = true,
                                     .strain_limit = 0.05,
                                     .bleed_mm = 1.5};
@@ -116,6 +117,8 @@ ktg_status ktg_drawing_new(ktg_context *context, const ktg_pattern *pattern,
         status = ktg_drawing_find_folds(made);
     if (status == KTG_OK)
         status = ktg_drawing_find_joints(made);
+    if (status == KTG_OK)
+        status = ktg_drawing_find_tints(made);
     if (status != KTG_OK) {
         ktg_drawing_free(&made);
         return status;
@@ -142,6 +145,7 @@ void ktg_drawing_free(ktg_drawing **drawing) {
     ktg_free((*drawing)->first_fold);
     ktg_free((*drawing)->folds);
     ktg_free((*drawing)->joints);
+    ktg_free((*drawing)->piece_tints);
     ktg_free(*drawing);
     *drawing = NULL;
 }

@@ -1,4 +1,5 @@
 /* render/pdf.c - all sheets as one PDF, a page each. */
+#include "core/memory.h"
 #include "render/draw.h"
 
 #include <cairo-pdf.h>
@@ -52,13 +53,16 @@ static int add_entry(const pdf *p, int parent, const char *name, bool open) {
                                               : (cairo_pdf_outline_flags_t)0);
 }
 
-static void begin_page(pdf *p, const char *label, const ktg_pattern_sheet *sheet) {
-    cairo_pdf_surface_set_size(p->surface, sheet->width_mm * POINT_PER_MM,
-                               sheet->height_mm * POINT_PER_MM);
+static void begin_page_of(pdf *p, const char *label, double width_mm, double height_mm) {
+    cairo_pdf_surface_set_size(p->surface, width_mm * POINT_PER_MM, height_mm * POINT_PER_MM);
     cairo_pdf_surface_set_page_label(p->surface, label);
     cairo_identity_matrix(p->cairo);
     cairo_scale(p->cairo, POINT_PER_MM, POINT_PER_MM);
     p->pages++;
+}
+
+static void begin_page(pdf *p, const char *label, const ktg_pattern_sheet *sheet) {
+    begin_page_of(p, label, sheet->width_mm, sheet->height_mm);
 }
 
 static void draw_covers(pdf *p) {
@@ -138,6 +142,33 @@ static ktg_status draw_strain(pdf *p) {
     return status;
 }
 
+static ktg_status draw_guide_pages(pdf *p, ktg_build_guide *guide) {
+    ktg_status status = KTG_OK;
+    double width, height;
+    ktg_build_guide_size(p->drawing, &width, &height);
+    for (size_t k = 0; status == KTG_OK && !ktg_build_guide_is_done(guide); k++) {
+        char label[32] = "build";
+        if (k > 0)
+            snprintf(label, sizeof label, "build %zu", k + 1);
+        begin_page_of(p, label, width, height);
+        if (k == 0)
+            add_entry(p, CAIRO_PDF_OUTLINE_ROOT, "How to build it", false);
+        status = ktg_build_guide_draw(guide, p->cairo, width, height);
+        cairo_show_page(p->cairo);
+    }
+    return status;
+}
+
+static ktg_status draw_guide(pdf *p) {
+    ktg_build_guide *guide;
+    if (!ktg_build_guide_is_wanted(p->drawing))
+        return KTG_OK;
+    KTG_TRY(ktg_build_guide_new(p->drawing, &guide));
+    ktg_status status = draw_guide_pages(p, guide);
+    ktg_build_guide_free(&guide);
+    return status;
+}
+
 static ktg_status draw_pages(pdf *p) {
     const ktg_pattern *pattern = p->drawing->pattern;
     ktg_status status = KTG_OK;
@@ -151,6 +182,8 @@ static ktg_status draw_pages(pdf *p) {
         ktg_guide_draw(p->drawing, p->cairo, first->width_mm, first->height_mm);
         cairo_show_page(p->cairo);
     }
+    if (status == KTG_OK)
+        status = draw_guide(p);
     return status == KTG_OK ? draw_strain(p) : status;
 }
 

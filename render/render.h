@@ -30,6 +30,7 @@ typedef struct ktg_render_options {
     unsigned up;          /* which axis of the model is height: 0 x, 1 y, 2 z; 1 */
     bool
         colour; /* mountain red, valley blue; the dashes tell them apart without it; default true */
+    bool guide; /* paper: the PDF ends with pages that tell how to build it; true */
     bool strain_map;       /* cloth: the PDF ends with a page that shows where it strains; true */
     double strain_limit;   /* of that page's colours; 0.05 */
     ktg_svg_unit svg_unit; /* millimetres */

@@ -1,6 +1,7 @@
 /* render/strain.c - a page that shows how much each place of the cloth is strained, as a map of
  * colours with a scale, and a square by which the printer's scale is checked. */
 #include "core/memory.h"
+#include "core/text.h"
 #include "render/draw.h"
 
 #include <stdio.h>
@@ -112,7 +113,8 @@ static void describe(const ktg_pattern *pattern, const ktg_pattern_piece *piece,
         area += twice;
         most = fmax(most, strain);
     }
-    snprintf(text, size, "mean %.1f %%, most %.1f %%", area > 0 ? 100 * sum / area : 0, 100 * most);
+    ktg_format(text, size, "mean %.1f %%, most %.1f %%", area > 0 ? 100 * sum / area : 0,
+               100 * most);
 }
 
 static void draw_piece(const ktg_drawing *drawing, cairo_t *cairo, uint32_t number, const spot *s) {
@@ -202,8 +204,8 @@ static void draw_scale(ktg_column *at) {
     ktg_text_set(at->cairo, KTG_FACE_PLAIN, 2);
     for (size_t k = 0; k < sizeof ticks / sizeof *ticks; k++) {
         double x = at->x + width * ticks[k] / 2;
-        snprintf(text, sizeof text, "%.3g %%%s", 100 * ticks[k] * drawing->options.strain_limit,
-                 ticks[k] == 2 ? " and more" : "");
+        ktg_format(text, sizeof text, "%.3g %%%s", 100 * ticks[k] * drawing->options.strain_limit,
+                   ticks[k] == 2 ? " and more" : "");
         ktg_text_draw(at->cairo, k == 0 ? x : x - ktg_text_width(at->cairo, text) / 2,
                       at->y + SCALE_MM + 3.2, text);
     }

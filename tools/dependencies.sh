@@ -6,7 +6,7 @@
 build_packages="gcc g++ meson ninja-build pkg-config libcgal-dev libgmp-dev libmpfr-dev \
 libopenmesh-dev libsuitesparse-dev libcairo2-dev libfontconfig-dev libpng-dev libjpeg-dev libjansson-dev libcmocka-dev fonts-dejavu-core"
 # what some tests look at the results with, and the formatting lint
-test_packages="poppler-utils clang-format python3 librsvg2-bin python3-ezdxf"
+test_packages="poppler-utils clang-format python3 librsvg2-bin python3-ezdxf locales"
 
 # run_quietly WHAT COMMAND...: its words are shown only when it fails.
 run_quietly() {

@@ -52,19 +52,8 @@ static ktg_status check_options(ktg_context *context, const ktg_unfold_options *
 /* The power of two that brings the largest extent of the mesh into [1, 2). Products of two lengths
  * of the model itself, as edges.c makes them, stay in range. */
 static ktg_status normalising_scale(ktg_context *context, const ktg_mesh *mesh, double *scale) {
-    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
-    for (size_t c = 0; c < 3 * (size_t)mesh->face_count; c++) {
-        ktg_vec3 p = mesh->positions[mesh->faces[c]];
-        const double at[3] = {p.x, p.y, p.z};
-        for (int k = 0; k < 3; k++) {
-            low[k] = fmin(low[k], at[k]);
-            high[k] = fmax(high[k], at[k]);
-        }
-    }
-    double extent = fmax(high[0] - low[0], fmax(high[1] - low[1], high[2] - low[2]));
-    if (!(extent > 1e-75) || !(extent < 1e75))
-        return ktg_fail(context, KTG_GEOMETRY,
-                        "the model is %g units large; nothing can be cut out of that", extent);
+    double extent;
+    KTG_TRY(ktg_mesh_check_extent(context, mesh, &extent));
     *scale = ldexp(1, -ilogb(extent));
     return KTG_OK;
 }

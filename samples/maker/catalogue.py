@@ -2,9 +2,9 @@
 
 from collections import namedtuple
 
-from . import (bird, blouse, doll, egg, flatbar, fox, hat, house, lampshade,
-               mask, plates, plush, polyhedra, robot, skirt, sleeve, tshirt,
-               tubes, whale)
+from . import (balloon, bird, blouse, doll, egg, flatbar, fox, hat, house,
+               lampshade, lighthouse, mask, plates, plush, polyhedra, robot,
+               skirt, sleeve, tshirt, tubes, whale)
 from .check import Promise
 
 # `digits` counts the decimals of the file's centimetres.
@@ -39,6 +39,10 @@ MODELS = [
     Model("robot", "robot of many parts", robot.build, 3,
           Promise(faces=(200, 500), components=21, edge=0.01, angle=20.0,
                   clearance=0.05)),
+    Model("lighthouse", "lighthouse on its rock, painted", lighthouse.build, 5,
+          Promise(faces=(150, 350), edge=0.02, angle=10.0, clearance=0.05)),
+    Model("balloon", "hot-air balloon", balloon.build, 4,
+          Promise(faces=(150, 250), edge=0.02, angle=15.0, clearance=0.05)),
     Model("blouse-front", "front panel of a blouse, in centimetres",
           blouse.build, 3, Promise(faces=(500, 2000), borders=1, edge=0.01,
                                    angle=15.0, clearance=0.05)),

@@ -4,8 +4,9 @@ from collections import namedtuple
 
 from . import vec
 
-# Every face remembers the names it is written under in the OBJ file.
-Label = namedtuple("Label", "object group material")
+# Every face remembers the names it is written under in the OBJ file, and its
+# corners' places in the picture (from 0 to 1, upwards) if it has one.
+Label = namedtuple("Label", "object group material uv", defaults=(None,))
 
 
 class Mesh:
@@ -15,6 +16,7 @@ class Mesh:
         self.labels = []
         self.label = Label(name, None, None)
         self.lines = []        # marked edges, as rows of points
+        self.picture = None    # what faces with material "painted" show
 
     # -- building ---------------------------------------------------------
 
@@ -137,7 +139,7 @@ class Mesh:
         for face, label in zip(self.faces, self.labels):
             for part in self.split(face):
                 faces.append(part)
-                labels.append(label)
+                labels.append(part_of(label, face, part))
         self.faces, self.labels = faces, labels
 
     def split(self, face):
@@ -192,6 +194,13 @@ class Mesh:
         self.points = [self.points[i] for i in used]
         self.faces = [tuple(number[i] for i in f) for f in self.faces]
         self.lines = [tuple(number[i] for i in r) for r in self.lines]
+
+
+def part_of(label, face, part):
+    """The label of some of a face's corners."""
+    if label.uv is None:
+        return label
+    return label._replace(uv=tuple(label.uv[face.index(i)] for i in part))
 
 
 def neighbours(loop):

@@ -29,6 +29,7 @@ what is expected:
   exists NAME... / has FILE WORDS / starts FILE BYTES / same A B / differ A B
   json FILE EXPRESSION    a Python expression about d is true
   net FILE [MODEL]        check_net.py accepts it
+  guide PDF JSON          check_guide.py finds all steps; no-guide PDF: there is none
   labels PDF JSON         check_labels.py finds the numbers of the one where the other says
 
 Always expected: exit status 1 or 2 comes with exactly one line that begins "katagami", the last
@@ -48,6 +49,7 @@ import tempfile
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import check_guide  # noqa: E402
 import check_labels  # noqa: E402
 import check_net  # noqa: E402
 
@@ -244,6 +246,18 @@ class Case:
         pattern = json.loads(self.path(name).read_text(encoding='utf-8'))
         _, problems = check_net.check(pattern, check_net.read_model(model) if model else None)
         expect(not problems, '; '.join(problems[:3]))
+
+    def do_guide(self, pdf, name):
+        if not shutil.which('pdftotext'):
+            raise Skipped('pdftotext is not installed')
+        pattern = json.loads(self.path(name).read_text(encoding='utf-8'))
+        problems = check_guide.check(check_guide.text_of(self.path(pdf)), pattern)
+        expect(not problems, '; '.join(problems))
+
+    def do_no_guide(self, pdf):
+        if not shutil.which('pdftotext'):
+            raise Skipped('pdftotext is not installed')
+        expect('build' not in check_guide.text_of(self.path(pdf)), 'there is a guide')
 
     def do_labels(self, pdf, name):
         if not shutil.which('pdftotext'):

@@ -29,7 +29,44 @@ static void a_failure_leaves_its_text(void **state) {
     assert_int_equal(ktg_fail(context, KTG_FORMAT, "line %d", 7), KTG_FORMAT);
     assert_string_equal(ktg_context_message(context), "line 7");
     assert_string_equal(ktg_status_name(KTG_FORMAT), "format");
+    assert_string_equal(ktg_status_name(KTG_INTERNAL), "internal");
+    assert_string_equal(ktg_status_name((ktg_status)(KTG_INTERNAL + 1)), "unknown");
     assert_string_equal(ktg_status_name((ktg_status)99), "unknown");
+}
+
+static void hear(void *user, ktg_log_level level, const char *text) {
+    snprintf(user, 64, "%d %s", (int)level, text);
+}
+
+static void the_log_gets_lines_while_there_is_one(void **state) {
+    ktg_context *context = *state;
+    char heard[64] = "nothing";
+    ktg_log(context, KTG_LOG_NOTE, "to nobody");
+    ktg_context_set_log(context, hear, heard);
+    assert_string_equal(heard, "nothing");
+    ktg_log(context, KTG_LOG_WARNING, "%.1f of %s", 0.5, "it");
+    assert_string_equal(heard, "1 0.5 of it");
+    ktg_context_set_log(context, NULL, NULL);
+    ktg_log(context, KTG_LOG_NOTE, "to nobody");
+    assert_string_equal(heard, "1 0.5 of it");
+}
+
+static void a_long_message_keeps_its_beginning_and_its_end(void **state) {
+    ktg_context *context = *state;
+    size_t length = 30000;
+    char *path = calloc(length + 1, 1);
+    for (size_t i = 0; i + 1 < length; i += 2)
+        memcpy(path + i, "\xc3\xa4", 2);
+    for (size_t shift = 0; shift < 2; shift++) { /* each cut falls into a character once */
+        ktg_fail(context, KTG_FILE, "%s%s: is missing%s", shift ? "x" : "", path, shift ? "!" : "");
+        const char *message = ktg_context_message(context), *dots = strstr(message, "...");
+        assert_non_null(dots);
+        assert_true(strlen(message) > 8000 && strlen(message) < 8192);
+        assert_string_equal(strstr(message, ": is"), shift ? ": is missing!" : ": is missing");
+        for (const char *at = message + shift; *at != ':'; at += *at == '.' ? 1 : 2)
+            assert_true(*at == '.' || (at[0] == '\xc3' && at[1] == '\xa4'));
+    }
+    free(path);
 }
 
 static void the_chosen_allocation_fails(void **state) {
@@ -50,12 +87,16 @@ static void arrays_grow_with_zeroed_items(void **state) {
     ktg_context *context = *state;
     int *items = NULL;
     size_t capacity = 0;
+    int moves = 0;
     for (size_t i = 0; i < 1000; i++) {
+        size_t before = capacity;
         assert_int_equal(ktg_reserve(context, &items, &capacity, i + 1), KTG_OK);
+        moves += capacity != before;
         assert_int_equal(items[i], 0);
         items[i] = (int)i;
     }
     assert_int_equal(items[999], 999);
+    assert_true(moves < 15); /* by half of it each time */
     assert_int_equal(ktg_reserve(context, &items, &capacity, SIZE_MAX / 2), KTG_MEMORY);
     assert_int_equal(items[999], 999);
     ktg_free(items);
@@ -154,6 +195,10 @@ static void random_numbers_stay_the_same(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(a_failure_leaves_its_text, make_context, drop_context),
+        cmocka_unit_test_setup_teardown(the_log_gets_lines_while_there_is_one, make_context,
+                                        drop_context),
+        cmocka_unit_test_setup_teardown(a_long_message_keeps_its_beginning_and_its_end,
+                                        make_context, drop_context),
         cmocka_unit_test_setup_teardown(the_chosen_allocation_fails, make_context, drop_context),
         cmocka_unit_test_setup_teardown(arrays_grow_with_zeroed_items, make_context, drop_context),
         cmocka_unit_test_setup_teardown(an_output_appears_whole_or_not_at_all, make_context,

@@ -8,6 +8,7 @@
 #include <stdatomic.h>
 #include <stdio.h>
 #include <string.h>
+#include <time.h>
 
 #include <cmocka.h>
 
@@ -99,9 +100,27 @@ static void a_wish_to_stop_reaches_all(void **state) {
     assert_in_range(t.ended, 1, 4);
 }
 
+/* Ends when as many as there are threads have begun, or, in vain, after ten seconds. */
+static ktg_status wait_for_others(ktg_context *context, uint32_t index, void *user) {
+    tally *t = user;
+    (void)context, (void)index;
+    t->told++;
+    for (int waits = 0; t->told < 3 && waits < 10000; waits++)
+        nanosleep(&(struct timespec){0, 1000000}, NULL);
+    return t->told == 3 ? KTG_OK : KTG_INTERNAL;
+}
+
+static void three_threads_work_at_the_same_time(void **state) {
+    tally t = {.caller = pthread_self()};
+    ktg_context_set_threads(*state, 3);
+    assert_int_equal(ktg_parallel_run(*state, 3, wait_for_others, &t), KTG_OK);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(all_is_done_once_by_any_number_of_threads, make_context,
+                                        drop_context),
+        cmocka_unit_test_setup_teardown(three_threads_work_at_the_same_time, make_context,
                                         drop_context),
         cmocka_unit_test_setup_teardown(the_lowest_failure_is_told, make_context, drop_context),
         cmocka_unit_test_setup_teardown(a_wish_to_stop_reaches_all, make_context, drop_context),

@@ -23,7 +23,7 @@ ROOMS = {
 }
 # core's toolbox: shared between rooms beside its public header
 TOOLBOX = {"core/" + name for name in
-           ("clock.h", "file.h", "guard.hpp", "memory.h", "parallel.h", "predicate.h", "random.h", "sparse.h", "sets.h", "vec.h")}
+           ("clock.h", "file.h", "guard.hpp", "memory.h", "parallel.h", "target.h", "predicate.h", "random.h", "sparse.h", "sets.h", "text.h", "vec.h")}
 # and the shape of tabs, which the search places too; polygons grown and hulls, which nesting needs
 TOOLBOX |= {"pattern/tab_room.h", "pattern/offset.h", "pattern/hull.h"}
 # and closest points, from which colours are taken again

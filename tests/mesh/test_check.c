@@ -25,6 +25,30 @@ static void a_cube_is_clean(void **state) {
     ktg_mesh_free(&mesh);
 }
 
+static ktg_status extent_at(void **state, double size, double away, double *extent) {
+    builder *b = build();
+    add_cube(b, away, 0, 0, size);
+    ktg_mesh *mesh = finish(state, b);
+    ktg_status status = ktg_mesh_check_extent(*state, mesh, extent);
+    ktg_mesh_free(&mesh);
+    return status;
+}
+
+static void a_mesh_may_be_large_small_or_away_but_not_beyond_its_digits(void **state) {
+    double extent;
+    assert_int_equal(extent_at(state, 4, 0, &extent), KTG_OK);
+    assert_float_equal(extent, 4, 0);
+    assert_int_equal(extent_at(state, 1e-70, 0, &extent), KTG_OK);
+    assert_int_equal(extent_at(state, 1e70, 0, &extent), KTG_OK);
+    assert_int_equal(extent_at(state, 4, -3.9e7, &extent), KTG_OK);
+    assert_int_equal(extent_at(state, 4, -4.1e7, &extent), KTG_GEOMETRY);
+    assert_non_null(strstr(ktg_context_message(*state), "4.1e+07 units away from the origin"));
+    assert_int_equal(extent_at(state, 1e-80, 0, &extent), KTG_GEOMETRY);
+    assert_non_null(strstr(ktg_context_message(*state), "1e-80 units large"));
+    assert_int_equal(extent_at(state, 4e-310, 0, &extent), KTG_GEOMETRY);
+    assert_int_equal(extent_at(state, 2e75, 0, &extent), KTG_GEOMETRY);
+}
+
 static void a_torus_has_genus_one_and_an_open_tube_two_loops(void **state) {
     builder *b = build();
     add_torus(b, 3, 1, 12, 8);
@@ -199,6 +223,7 @@ static void memory_may_run_out_anywhere(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_cube_is_clean),
+        cmocka_unit_test(a_mesh_may_be_large_small_or_away_but_not_beyond_its_digits),
         cmocka_unit_test(a_torus_has_genus_one_and_an_open_tube_two_loops),
         cmocka_unit_test(faces_twice_flat_or_collapsed_are_counted),
         cmocka_unit_test(edges_of_three_faces_and_vertices_of_two_fans_are_not_manifold),

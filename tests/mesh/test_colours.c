@@ -231,6 +231,28 @@ static void every_colour_comes_back(void **state) {
     ktg_mesh_free(&mesh);
 }
 
+static void a_texture_comes_back_as_ply(void **state) {
+    ktg_mesh *mesh =
+        read_text(*state, "a.ply",
+                  HEAD "comment TextureFile a b.png\ncomment TextureFile c.png\n"
+                       "element vertex 3\n" XYZ "element face 4\n" LIST
+                       "property list uchar float texcoord\nproperty int texnumber\n" RGB("uchar")
+                           END "0 0 0\n1 0 0\n0 1 0\n3 0 1 2 6 0 0.1 0.2 0.3 0.4 0.5 1 7 8 9\n"
+                               "3 1 2 0 0 0 0 0 0\n3 0 2 1 6 1 2 3 4 5 6 0 1 2 3\n"
+                               "3 2 1 0 0 1 0 0 0\n");
+    ktg_mesh *again = write_and_read(*state, mesh, "b.ply");
+    assert_string_equal(again->texture_file, "a b.png\nc.png");
+    assert_int_equal(again->uv_count, 6);
+    assert_memory_equal(again->uvs, mesh->uvs, 6 * sizeof *mesh->uvs);
+    assert_memory_equal(again->face_uv, mesh->face_uv, 12 * sizeof(uint32_t));
+    assert_memory_equal(again->face_colours, mesh->face_colours, 12);
+    for (uint32_t i = 0; i < 4; i++)
+        assert_string_equal(again->materials.text[again->face_material[i]],
+                            i % 3 == 0 ? "c.png" : "a b.png");
+    ktg_mesh_free(&mesh);
+    ktg_mesh_free(&again);
+}
+
 /* ---- carrying ------------------------------------------------------------------------------- */
 
 /* A tetrahedron, each face of its own with three vertices, and one vertex too many. */
@@ -352,6 +374,7 @@ int main(void) {
         READ_TEST(texture_coordinates_of_ply_corners_are_read),
         READ_TEST(memory_may_run_out),
         READ_TEST(every_colour_comes_back),
+        READ_TEST(a_texture_comes_back_as_ply),
         READ_TEST(a_repair_keeps_the_first_colour_of_a_place),
         READ_TEST(what_is_split_or_cut_keeps_its_colour),
         READ_TEST(leaving_out_keeps_the_colours_of_the_rest),

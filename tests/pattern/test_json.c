@@ -125,6 +125,8 @@ static ktg_pattern *make_pattern(ktg_context *context) {
     p->seams[0].obvious = true;
     p->seams[0].dart = true;
     p->seams[0].number = 7;
+    p->seams[0].section = 3;
+    p->seams[0].closing = true;
     ktg_pattern_notch notches[2] = {{1.0 / 3, 1}, {0.7, 3}};
     p->seams[0].notch_count = 2;
     p->seams[0].notches = ktg_copy_array(context, notches, 2, sizeof *notches);
@@ -417,9 +419,10 @@ static bool may_miss(const char *way) {
                !strcmp(key, ".edge") || !strcmp(key, ".leader");
     return key &&
            (!strcmp(key, ".size") || !strcmp(key, ".omitted") || !strcmp(key, ".tile") ||
-            !strcmp(key, ".obvious") || !strcmp(key, ".dart") || !strcmp(key, ".number") ||
-            !strcmp(key, ".notches") || !strcmp(key, ".on_fold") || !strcmp(key, ".forced") ||
-            !strcmp(key, ".face_strain") || !strcmp(key, ".first_side"));
+            !strcmp(key, ".obvious") || !strcmp(key, ".section") || !strcmp(key, ".closing") ||
+            !strcmp(key, ".dart") || !strcmp(key, ".number") || !strcmp(key, ".notches") ||
+            !strcmp(key, ".on_fold") || !strcmp(key, ".forced") || !strcmp(key, ".face_strain") ||
+            !strcmp(key, ".first_side"));
 }
 
 static size_t damage_below(fixture *f, const json_t *root, json_t *value, const char *way);

@@ -5,7 +5,7 @@
 
 #include "pipeline/pipeline.h"
 
-#define BENCH_OUTPUTS 8
+#define BENCH_OUTPUTS 10
 
 typedef struct bench {
     ktg_context *context;

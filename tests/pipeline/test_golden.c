@@ -92,6 +92,15 @@ static void compare_edges(const ktg_pattern *a, const ktg_pattern *b) {
     }
 }
 
+static void compare_seams(const ktg_pattern *a, const ktg_pattern *b) {
+    assert_int_equal(a->seam_count, b->seam_count);
+    for (size_t i = 0; i < a->seam_count; i++) {
+        assert_int_equal(a->seams[i].number, b->seams[i].number);
+        assert_int_equal(a->seams[i].section, b->seams[i].section);
+        assert_int_equal(a->seams[i].closing, b->seams[i].closing);
+    }
+}
+
 static void compare_sheets(const ktg_pattern *a, const ktg_pattern *b) {
     assert_int_equal(a->sheet_count, b->sheet_count);
     for (size_t i = 0; i < a->sheet_count; i++) {
@@ -115,6 +124,7 @@ static void compare(const ktg_pattern *a, const ktg_pattern *b) {
     assert_int_equal(a->seam_count, b->seam_count);
     assert_near(a->mm_per_unit, b->mm_per_unit);
     compare_edges(a, b);
+    compare_seams(a, b);
     for (size_t i = 0; i < a->piece_count; i++)
         compare_pieces(&a->pieces[i], &b->pieces[i]);
     compare_sheets(a, b);

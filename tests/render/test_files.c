@@ -56,13 +56,20 @@ static char *tell(const char *program, const char *bytes, size_t size) {
 static void a_pdf_has_a_page_per_sheet(void **state) {
     ktg_context *context = *state;
     ktg_pattern *pattern = two_on_a4(context);
+    ktg_render_options options;
     char *bytes;
     size_t size;
-    assert_int_equal(render_bytes(context, pattern, "pdf", 0, NULL, &bytes, &size), KTG_OK);
+    ktg_render_defaults(&options);
+    assert_int_equal(render_bytes(context, pattern, "pdf", 0, &options, &bytes, &size), KTG_OK);
     assert_memory_equal(bytes, "%PDF-", 5);
     assert_int_equal(count_pages(bytes, size), 2);
-    assert_int_equal(count_text(bytes, size, "/Image"), 0); /* all of it is vectors */
     ktg_free(bytes);
+    pattern->piece_count = 1; /* then there is no picture of the model: all of it is vectors */
+    pattern->sheet_count = 1;
+    assert_int_equal(render_bytes(context, pattern, "pdf", 0, &options, &bytes, &size), KTG_OK);
+    assert_int_equal(count_text(bytes, size, "/Image"), 0);
+    ktg_free(bytes);
+    pattern->piece_count = pattern->sheet_count = 2;
     ktg_pattern_free(&pattern);
 }
 

@@ -1,0 +1,22 @@
+/* render/callouts.h - short texts at points of a picture, none over another (render only). */
+#ifndef KTG_RENDER_CALLOUTS_H
+#define KTG_RENDER_CALLOUTS_H
+
+#include "render/draw.h"
+
+typedef struct ktg_callout {
+    char text[KTG_NAME_SIZE];
+    ktg_vec2 at; /* what it tells of, on the page */
+    bool is_placed;
+    ktg_area box; /* where it stands, once it is placed */
+} ktg_callout;
+
+/* Finds places for the texts, in their order, in digits of that height: at their points, else near
+ * by, with room for a leader; never over what is taken, nor out of `within`. */
+void ktg_callouts_place(cairo_t *cairo, ktg_callout *callouts, size_t count, double digit_mm,
+                        ktg_area within, const ktg_area *taken, size_t taken_count);
+/* Draws those that have a place, on white, with a line to the point where that is beside them. */
+void ktg_callouts_draw(cairo_t *cairo, const ktg_callout *callouts, size_t count, double digit_mm,
+                       ktg_face face);
+
+#endif
