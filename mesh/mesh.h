@@ -261,12 +261,13 @@ typedef struct ktg_simplify_report {
  * their vertices do not move. Polygons are dropped when anything changed.
  *
  * Texture coordinates follow, too. Their seams (and in a model that has any, the lines between
- * materials) stay: vertices on them move along them only, and those where seams meet or end stay,
- * but for a move along their normal, which changes nothing in the texture. No face turns over in
- * the texture. Where this would leave more faces than wished for, or seams meet in more than a
- * quarter as many vertices as there shall be faces, the wish weighs more than the seams; faces
- * whose coordinates then hold no longer have KTG_NONE at their corners, and are counted
- * (report->faces_without_uv).
+ * materials and between mirrored halves) stay: vertices on them move along them only, and those
+ * where seams meet or end stay, but for a move along their normal, which changes nothing in the
+ * texture. No face turns over in the texture. Where this would leave more faces than wished for, or
+ * seams meet in more than a quarter as many vertices as there shall be faces, the wish weighs more
+ * than the seams; and what seams enclose that is smaller than a quarter of a face to come is given
+ * up anyway. Faces whose coordinates then hold no longer have KTG_NONE at their corners, and are
+ * counted (report->faces_without_uv).
  *
  * The mesh must be a manifold (as ktg_mesh_repair leaves it), else KTG_ARGUMENT. On failure it is
  * as it was. */

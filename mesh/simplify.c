@@ -22,9 +22,11 @@ static bool differ_in_colour(const uint8_t *colours, size_t f, size_t g) {
     return colours && memcmp(colours + 3 * f, colours + 3 * g, 3) != 0;
 }
 
+/* The edges at a pole differ only there, and weigh nothing. */
 static bool is_uv_seam(const ktg_simplify *s, uint32_t h, uint32_t twin) {
-    return s->uv.kept &&
-           !ktg_uv_joined(s, h / 3, twin / 3, s->faces[h], s->faces[ktg_halfedge_next(h)]);
+    uint32_t a = s->faces[h], b = s->faces[ktg_halfedge_next(h)];
+    return ktg_simplify_bond(s, a) != KTG_OFF_SEAM && ktg_simplify_bond(s, b) != KTG_OFF_SEAM &&
+           ktg_uv_seam(s, h / 3, twin / 3, a, b);
 }
 
 /* The weight of the plane that stands on a half-edge, 0 for none. */

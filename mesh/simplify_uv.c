@@ -144,7 +144,7 @@ static ktg_vec2 uv_along(const ktg_simplify *s, const move *m, uint32_t removed)
 
 static bool is_seam(const ktg_simplify *s, uint32_t a, uint32_t b) {
     const uint32_t *removed = s->changed + s->changed_count;
-    return s->removed_count == 2 && !ktg_uv_joined(s, removed[0], removed[1], a, b);
+    return s->removed_count == 2 && ktg_uv_seam(s, removed[0], removed[1], a, b);
 }
 
 /* The coordinates of the new vertex in the sheet of the removed face `removed`. */
@@ -170,6 +170,21 @@ static void set_moved(ktg_simplify *s, const move *m, bool whole) {
         ktg_vec2 old = uv_at(s, f, vertex);
         bool moves = vertex == m->from ? m->from_moves : m->to_moves;
         s->uv.moved[i] = !moves || ktg_uv_is_none(old) ? old : of_part[s->uv.parts[i]];
+    }
+}
+
+/* What takes the place of a spare face loses its coordinates. */
+static void drop_beside_spare(ktg_simplify *s, const move *m) {
+    for (size_t r = 0; r < s->removed_count; r++) {
+        uint32_t gone = s->changed[s->changed_count + r];
+        for (size_t i = 0; i < s->changed_count && s->uv.spare[gone]; i++) {
+            uint32_t f = s->changed[i], common = 0;
+            bool moves = has_vertex(s, f, m->from) ? m->from_moves : m->to_moves;
+            for (size_t k = 0; k < 3; k++)
+                common += has_vertex(s, gone, s->faces[3 * (size_t)f + k]);
+            if (moves && common == 2)
+                s->uv.moved[i] = (ktg_vec2){NAN, NAN};
+        }
     }
 }
 
@@ -201,7 +216,11 @@ static void drop_turned(ktg_simplify *s, const move *m) {
     }
 }
 
+/* Whether a face loses its coordinates that is not beside a spare one that goes. */
 static bool loses_any(const ktg_simplify *s) {
+    for (size_t r = 0; r < s->removed_count; r++)
+        if (s->uv.spare[s->changed[s->changed_count + r]])
+            return false;
     for (size_t i = 0; i < s->changed_count; i++)
         if (ktg_uv_is_none(s->uv.moved[i]) &&
             !ktg_uv_is_none(s->uv.corners[3 * (size_t)s->changed[i]]))
@@ -244,7 +263,7 @@ static bool ends_across(const ktg_simplify *s, uint32_t f, uint32_t vertex, uint
     for (size_t i = 0; i < s->changed_count; i++) {
         uint32_t g = s->changed[i];
         if (has_vertex(s, g, vertex) && has_vertex(s, g, third))
-            return !ktg_uv_joined(s, f, g, vertex, vertex);
+            return ktg_uv_seam(s, f, g, vertex, vertex);
     }
     return true;
 }
@@ -283,6 +302,7 @@ ktg_status ktg_simplify_uv_allowed(ktg_simplify *s, const ktg_candidate *c, ktg_
         return KTG_OK;
     find_parts(s, &m, &whole);
     set_moved(s, &m, whole);
+    drop_beside_spare(s, &m);
     drop_turned(s, &m);
     *allowed = !s->uv.kept || !(loses_any(s) || is_stretched(s, &m));
     return KTG_OK;
@@ -292,7 +312,9 @@ void ktg_simplify_move_uvs(ktg_simplify *s, const ktg_candidate *c) {
     for (size_t i = 0; s->uv.corners && i < s->changed_count; i++) {
         uint32_t f = s->changed[i];
         ktg_vec2 *corners = s->uv.corners + 3 * (size_t)f, uv = s->uv.moved[i];
+        bool had_none = ktg_uv_is_none(corners[0]);
         corners[corner_of(s, f, has_vertex(s, f, c->from) ? c->from : c->to)] = uv;
+        s->uv.spare[f] |= ktg_uv_is_none(uv) && !had_none;
         for (int k = 0; k < 3 && ktg_uv_is_none(uv); k++)
             corners[k] = uv;
     }

@@ -1,9 +1,12 @@
 /* mesh/simplify_uv.h - texture coordinates under simplification (mesh only).
  *
  * A seam is an edge whose two faces differ in a texture coordinate at one of its ends, or in
- * material, or of which only one has texture coordinates. What seams enclose is a chart. As long as
- * seams are kept, a collapse that would tear a chart, take a vertex off its seam or turn a face
- * over in the texture is refused; afterwards such faces lose their texture coordinates. */
+ * material, or of which only one has texture coordinates, or that lie the other way round in the
+ * texture (where a half of a model shows the other half's, mirrored). What seams enclose is a
+ * chart. A chart smaller than a face will be is spare: it has no seams, and faces that take the
+ * place of its own lose their texture coordinates, and are spare, too. As long as seams are kept, a
+ * collapse that would tear a chart, take a vertex off its seam or turn a face over in the texture
+ * is refused; afterwards such faces lose their texture coordinates. */
 #ifndef KTG_MESH_SIMPLIFY_UV_H
 #define KTG_MESH_SIMPLIFY_UV_H
 
@@ -22,6 +25,8 @@ typedef struct ktg_simplify_uv {
     const ktg_mesh *mesh; /* the input */
     ktg_vec2 *corners;    /* 3 face_count, current; x is NaN at all corners of a face that has none.
                              NULL when the input has no texture coordinates; so are the others */
+    int8_t *turn;         /* face_count: 1, or -1 where the face is mirrored in the texture, or 0 */
+    bool *spare;          /* face_count */
     uint8_t *bonds;       /* vertex_count ktg_seam_bond; a vertex that stays keeps its own */
     uint32_t *chart;      /* face_count: equal numbers are of one chart of the input */
     bool kept;            /* seams are kept */
@@ -38,6 +43,8 @@ typedef struct ktg_simplify_uv {
 /* simplify_seams.c: whether faces f and g, which both have vertices a and b, are of one chart
  * there. */
 bool ktg_uv_joined(const struct ktg_simplify *s, uint32_t f, uint32_t g, uint32_t a, uint32_t b);
+/* simplify_seams.c: whether a seam is between them. */
+bool ktg_uv_seam(const struct ktg_simplify *s, uint32_t f, uint32_t g, uint32_t a, uint32_t b);
 
 /* simplify_seams.c: takes the texture coordinates of the mesh, if it has any, finds seams, and
  * decides whether they can be kept. */

@@ -74,7 +74,7 @@ static void try_uv(ktg_simplify *s, const uint32_t *faces, uint32_t count, uint3
 
 static ktg_status refine_vertex(ktg_simplify *s, const ktg_closest *closest, uint32_t vertex) {
     const uint32_t *faces;
-    uint32_t count = ktg_halfedges_faces(s->halfedges, vertex, &faces), at;
+    uint32_t count = ktg_halfedges_faces(s->halfedges, vertex, &faces), at = KTG_NONE;
     ktg_vec3 point;
     if (count == 0 || !is_in_chart(s, faces, count, vertex))
         return KTG_OK;

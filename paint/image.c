@@ -98,6 +98,15 @@ void ktg_image_free(ktg_image **image) {
     *image = NULL;
 }
 
+void ktg_image_shrink(ktg_image *image) {
+    if (image->level_count < 2)
+        return;
+    ktg_free(image->levels[0].rgb);
+    image->level_count--;
+    memmove(image->levels, image->levels + 1, image->level_count * sizeof *image->levels);
+    image->levels[image->level_count] = (ktg_image_level){0};
+}
+
 /* ---- looking ------------------------------------------------------------------------------- */
 
 /* The index of a dot along an axis of `count` dots. */

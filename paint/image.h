@@ -27,6 +27,9 @@ typedef struct ktg_image {
 KTG_NODISCARD ktg_status ktg_image_read(ktg_context *context, const char *path, ktg_image **image);
 void ktg_image_free(ktg_image **image);
 
+/* Lets go of the largest version, unless it is the only one: the next one is level 0 then. */
+void ktg_image_shrink(ktg_image *image);
+
 /* What happens beyond an image's edges. */
 typedef enum ktg_image_wrap { KTG_WRAP_REPEAT, KTG_WRAP_CLAMP } ktg_image_wrap;
 

@@ -26,19 +26,19 @@ KTG_NODISCARD ktg_status ktg_materials_read(ktg_context *context, const char *pa
                                             ktg_materials *materials);
 void ktg_materials_free(ktg_materials *materials);
 
-/* ---- place.c ------------------------------------------------------------------------------- */
+/* ---- find.c -------------------------------------------------------------------------------- */
 
 /* Where a model's files may be. */
-typedef struct ktg_place {
+typedef struct ktg_paint_root {
     const char *model; /* the model's path */
     bool anywhere;
-} ktg_place;
+} ktg_paint_root;
 
 /* Finds the file `name` that the file `from` (a path) refers to: from its folder, with \ for / too,
- * else by its bare name in that folder. *path is freed with ktg_free; NULL when there is none that
- * may be read, and *why says why ("is not there"). */
-KTG_NODISCARD ktg_status ktg_place_find(ktg_context *context, const ktg_place *place,
-                                        const char *from, const char *name, char **path,
-                                        const char **why);
+ * else by its bare name in that folder. *path, without links, is freed with ktg_free; NULL when
+ * there is none that may be read, and *why says why ("is not there"). */
+KTG_NODISCARD ktg_status ktg_paint_find_file(ktg_context *context, const ktg_paint_root *place,
+                                             const char *from, const char *name, char **path,
+                                             const char **why);
 
 #endif

@@ -14,15 +14,25 @@
 
 /* ---- is there anything to print? ------------------------------------------------------------ */
 
-/* Different colours among `count` bytes in threes; counting ends at `most`. */
-static uint32_t count_colours(const uint8_t *rgb, size_t count, uint32_t most) {
-    uint32_t found = 0;
-    for (size_t i = 0; i < count && found < most; i++) {
-        bool known = false;
-        for (size_t j = i; j > 0 && !known; j--)
-            known = memcmp(rgb + 3 * i, rgb + 3 * (j - 1), 3) == 0;
-        found += !known;
-    }
+/* Whether `count` bytes in threes are of one colour. */
+static bool all_alike(const uint8_t *rgb, size_t count) {
+    for (size_t i = 1; i < count; i++)
+        if (memcmp(rgb, rgb + 3 * i, 3) != 0)
+            return false;
+    return true;
+}
+
+static int by_value(const void *left, const void *right) {
+    uint32_t a = *(const uint32_t *)left, b = *(const uint32_t *)right;
+    return (a > b) - (a < b);
+}
+
+/* Different ones among them; they are sorted. */
+static uint32_t count_different(uint32_t *colours, size_t count) {
+    uint32_t found = count > 0;
+    qsort(colours, count, sizeof *colours, by_value);
+    for (size_t i = 1; i < count; i++)
+        found += colours[i] != colours[i - 1];
     return found;
 }
 
@@ -31,18 +41,20 @@ static ktg_status count_plain(ktg_context *context, const ktg_paint *paint, uint
     const ktg_mesh *model = paint->model;
     uint32_t none = paint->source_count - 1;
     size_t count = 0;
-    uint8_t *rgb = ktg_alloc(context, paint->source_count, 3);
+    uint32_t *found = ktg_new(context, paint->source_count, uint32_t);
     bool *used = ktg_new(context, paint->source_count, bool);
-    for (uint32_t f = 0; rgb && used && f < model->face_count; f++) {
+    for (uint32_t f = 0; found && used && f < model->face_count; f++) {
         uint32_t material = model->face_material ? model->face_material[f] : none;
         used[material < none && paint->sources[material].is_plain ? material : none] = true;
     }
-    for (uint32_t k = 0; rgb && used && k <= none; k++)
+    for (uint32_t k = 0; found && used && k <= none; k++) {
+        const uint8_t *rgb = paint->sources[k].rgb;
         if (used[k])
-            memcpy(rgb + 3 * count++, paint->sources[k].rgb, 3);
-    *colours = rgb && used ? count_colours(rgb, count, UINT32_MAX) : 0;
-    ktg_status status = rgb && used ? KTG_OK : KTG_MEMORY;
-    ktg_free(rgb);
+            found[count++] = (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2];
+    }
+    *colours = found && used ? count_different(found, count) : 0;
+    ktg_status status = found && used ? KTG_OK : KTG_MEMORY;
+    ktg_free(found);
     ktg_free(used);
     return status;
 }
@@ -62,9 +74,8 @@ static ktg_status is_worth(ktg_context *context, const ktg_paint *paint, bool pl
     KTG_TRY(count_plain(context, paint, &report->colours));
     report->own_colours = own;
     if (own)
-        many = model->face_colours
-                   ? count_colours(model->face_colours, model->face_count, 2) > 1
-                   : count_colours(model->vertex_colours, model->vertex_count, 2) > 1;
+        many = model->face_colours ? !all_alike(model->face_colours, model->face_count)
+                                   : !all_alike(model->vertex_colours, model->vertex_count);
     else
         many = report->colours > 1;
     *worth = paint->image_count > 0 || many || (plain && (own || has_any_plain(paint)));

@@ -4,19 +4,24 @@
 
 #include "core/memory.h"
 
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+
+#define SMALL_IMAGE ((uint64_t)1 << 20)
 
 /* What reading takes along. */
 typedef struct reading {
     ktg_context *context;
     ktg_paint *paint;
-    ktg_place place;
+    ktg_paint_root place;
     ktg_materials materials;
+    const ktg_material **sorted; /* materials.count, by name */
     size_t *first; /* materials.count: the library each begins in, as index into `libraries` */
     size_t first_capacity;
     char **libraries; /* paths */
     size_t library_count, library_capacity;
+    uint64_t dots; /* of all images */
     ktg_paint_report *report;
 } reading;
 
@@ -41,7 +46,7 @@ static ktg_status take_library(reading *r, char *path) {
 /* Reads the library `name` when it is there; *why is NULL then. */
 static ktg_status try_library(reading *r, const char *name, const char **why) {
     char *path;
-    KTG_TRY(ktg_place_find(r->context, &r->place, r->place.model, name, &path, why));
+    KTG_TRY(ktg_paint_find_file(r->context, &r->place, r->place.model, name, &path, why));
     if (!path)
         return KTG_OK;
     *why = NULL;
@@ -103,6 +108,18 @@ static ktg_status for_each_line(reading *r, const char *text,
 
 /* ---- images -------------------------------------------------------------------------------- */
 
+/* Together, images take no more room than the largest one may; small ones stay as they are. */
+static void make_room(reading *r, ktg_image *image) {
+    for (;;) {
+        uint64_t dots = (uint64_t)image->levels[0].width * image->levels[0].height;
+        if (dots <= SMALL_IMAGE || r->dots + dots <= KTG_IMAGE_MOST) {
+            r->dots += dots;
+            return;
+        }
+        ktg_image_shrink(image);
+    }
+}
+
 /* The image at `path` (taken over), read once however many materials share it. */
 static ktg_status share_image(reading *r, char *path, const ktg_image **image) {
     ktg_paint *paint = r->paint;
@@ -124,6 +141,7 @@ static ktg_status share_image(reading *r, char *path, const ktg_image **image) {
         ktg_free(path);
         return status;
     }
+    make_room(r, made);
     paint->images[paint->image_count] = made;
     paint->image_paths[paint->image_count++] = path;
     *image = made;
@@ -134,7 +152,7 @@ static ktg_status share_image(reading *r, char *path, const ktg_image **image) {
 static ktg_status take_image(reading *r, const char *from, const char *name, ktg_source *source) {
     char *path;
     const char *why;
-    KTG_TRY(ktg_place_find(r->context, &r->place, from, name, &path, &why));
+    KTG_TRY(ktg_paint_find_file(r->context, &r->place, from, name, &path, &why));
     ktg_status status = path ? share_image(r, path, &source->image) : KTG_FILE;
     if (status == KTG_OK || status == KTG_MEMORY || status == KTG_CANCELLED)
         return status;
@@ -151,12 +169,35 @@ static ktg_status take_image(reading *r, const char *from, const char *name, ktg
 
 /* ---- the whole ----------------------------------------------------------------------------- */
 
-/* The last material of that name, as programs that read from top to bottom have it. */
-static size_t find_material(const ktg_materials *materials, const char *name) {
-    for (size_t i = materials->count; i > 0; i--)
-        if (strcmp(materials->items[i - 1].name, name) == 0)
-            return i - 1;
-    return SIZE_MAX;
+static int by_name(const void *left, const void *right) {
+    const ktg_material *const *a = left, *const *b = right;
+    int order = strcmp((*a)->name, (*b)->name);
+    return order ? order : (*a > *b) - (*a < *b);
+}
+
+static ktg_status sort_materials(reading *r) {
+    r->sorted = ktg_new(r->context, r->materials.count, const ktg_material *);
+    if (!r->sorted)
+        return KTG_MEMORY;
+    for (size_t i = 0; i < r->materials.count; i++)
+        r->sorted[i] = &r->materials.items[i];
+    qsort(r->sorted, r->materials.count, sizeof *r->sorted, by_name);
+    return KTG_OK;
+}
+
+/* The last material of that name, as programs that read from top to bottom have it; SIZE_MAX. */
+static size_t find_material(const reading *r, const char *name) {
+    size_t low = 0, high = r->materials.count;
+    while (low < high) {
+        size_t middle = (low + high) / 2;
+        if (strcmp(r->sorted[middle]->name, name) <= 0)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low > 0 && strcmp(r->sorted[low - 1]->name, name) == 0
+               ? (size_t)(r->sorted[low - 1] - r->materials.items)
+               : SIZE_MAX;
 }
 
 /* A PLY names images; where there are several, its materials are called like them. */
@@ -181,7 +222,7 @@ static ktg_status fill_from_names(reading *r) {
 /* Only materials that faces have are read. */
 static ktg_status fill_source(reading *r, uint32_t number) {
     ktg_source *source = &r->paint->sources[number];
-    size_t material = find_material(&r->materials, r->paint->model->materials.text[number]);
+    size_t material = find_material(r, r->paint->model->materials.text[number]);
     if (material == SIZE_MAX)
         return KTG_OK;
     const ktg_material *m = &r->materials.items[material];
@@ -202,6 +243,7 @@ static ktg_status fill_sources(reading *r, const bool *used) {
         KTG_TRY(fill_from_names(r));
     } else if (model->material_library && model->face_material) {
         KTG_TRY(for_each_line(r, model->material_library, read_line));
+        KTG_TRY(sort_materials(r));
         for (uint32_t k = 0; k < model->materials.count; k++)
             if (used[k])
                 KTG_TRY(fill_source(r, k));
@@ -234,6 +276,7 @@ ktg_status ktg_paint_read_sources(ktg_context *context, ktg_paint *paint, const 
         ktg_free(r.libraries[i]);
     ktg_free(r.libraries);
     ktg_free(r.first);
+    ktg_free(r.sorted);
     ktg_free(used);
     ktg_materials_free(&r.materials);
     return status;

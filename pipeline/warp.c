@@ -150,6 +150,19 @@ static double side_length(const work *w, const ktg_pattern_side *side) {
                                 piece->vertices[corners[side->corner]]));
 }
 
+/* A pattern may come from any file: its edges may name a piece that the face is not in. */
+static ktg_status check_side(ktg_context *context, const work *w, size_t edge, uint32_t k) {
+    const ktg_pattern_side *side = &w->pattern->edges[edge].sides[k];
+    const ktg_pattern_piece *piece = &w->pattern->pieces[side->piece];
+    uint32_t place = w->place[side->face];
+    if (place < piece->face_count && piece->faces[place] == side->face)
+        return KTG_OK;
+    return ktg_fail(context, KTG_FORMAT,
+                    "%s: edge %zu says that face %u lies in piece %u, where it is not; katagami "
+                    "verify tells what else is wrong with this pattern",
+                    w->job->pattern, edge + 1, side->face, side->piece + 1);
+}
+
 static ktg_status take_lengths(ktg_context *context, work *w) {
     const ktg_pattern *p = w->pattern;
     w->place = ktg_new(context, p->face_count, uint32_t);
@@ -161,8 +174,10 @@ static ktg_status take_lengths(ktg_context *context, work *w) {
         for (size_t f = 0; f < p->pieces[k].face_count; f++)
             w->place[p->pieces[k].faces[f]] = (uint32_t)f;
     for (size_t e = 0; e < p->edge_count; e++)
-        for (uint32_t k = 0; k < p->edges[e].side_count; k++)
+        for (uint32_t k = 0; k < p->edges[e].side_count; k++) {
+            KTG_TRY(check_side(context, w, e, k));
             w->before[2 * e + k] = side_length(w, &p->edges[e].sides[k]);
+        }
     for (uint32_t k = 0; k < p->piece_count; k++) {
         const ktg_pattern_piece *one = &p->pieces[k], *other = &p->pieces[w->piece];
         w->was_twin[k] = k != w->piece && ((one->cut_count == 0 && one->twin_of == w->piece) ||

@@ -5,10 +5,10 @@
 
 #include <stdio.h>
 
-#define DOTS        180.0 /* of the model in a trial */
+#define DOTS        140.0 /* of the model in a trial */
 #define MANY_FACES  20000 /* then fewer eyes are tried */
 #define MOST_DOUBLE 24    /* with more steps than that each has one picture */
-#define READABLE    4.0   /* dots of a seam beside which its number can be read */
+#define READABLE    3.0   /* dots of a seam beside which its number can be read */
 
 /* Where eyes stand: turns in eighths to the right of the front; the first ones are preferred. */
 typedef struct stand {

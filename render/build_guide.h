@@ -46,6 +46,8 @@ struct ktg_build_guide {
     uint8_t *sides;         /* 3 face_count: ktg_side_kind */
     uint32_t *seam_of;      /* 3 face_count, KTG_NONE */
     bool *shown;            /* face_count: for the picture being drawn */
+    uint32_t *starts;       /* seam_count: the surface's vertex where its gluing begins, because all
+                               else is closed there; KTG_NONE: at either end, or at none */
     bool *is_told;          /* seam_count: its number stands in a picture of its step */
     uint32_t picture_least; /* steps of fewer seams have no picture: there are too many */
 
@@ -58,6 +60,12 @@ struct ktg_build_guide {
 
 /* Fills the tables. */
 KTG_NODISCARD ktg_status ktg_guide_find_steps(ktg_build_guide *guide);
+/* Fills `starts` (build_starts.c). */
+KTG_NODISCARD ktg_status ktg_guide_find_starts(ktg_build_guide *guide);
+/* Fills `stage`, once the other tables are there (build_stages.c). */
+KTG_NODISCARD ktg_status ktg_guide_find_stages(ktg_build_guide *guide);
+/* The step of a seam, from 1; 0 where nobody said. */
+uint32_t ktg_guide_step_of(const ktg_build_guide *guide, size_t seam);
 
 /* ---- build_words.c ------------------------------------------------------------------------ */
 

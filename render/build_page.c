@@ -20,7 +20,7 @@
 
 bool ktg_build_guide_is_wanted(const ktg_drawing *drawing) {
     const ktg_pattern *pattern = drawing->pattern;
-    return drawing->options.guide && pattern->mode == KTG_PAPER && pattern->face_count > 0 &&
+    return drawing->options.guide && pattern->mode == KTG_PAPER && pattern->seam_count > 0 &&
            pattern->vertex_count > 0;
 }
 
@@ -59,10 +59,14 @@ static void write_facts(const ktg_build_guide *g, ktg_column *at) {
     size_t count = ktg_furniture_details(g->drawing, SIZE_MAX, details), numbered = 0;
     for (size_t s = 0; s < p->seam_count; s++)
         numbered += g->low[s] > 0;
-    snprintf(text, sizeof text, "%s. %zu piece%s on %s. %zu seam%s with numbers, %u step%s.",
-             count > 2 ? details[count - 2] : "", p->piece_count, p->piece_count == 1 ? "" : "s",
-             details[0], numbered, numbered == 1 ? "" : "s", g->step_count,
-             g->step_count == 1 ? "" : "s");
+    size_t seams = numbered > 0 ? numbered : p->seam_count;
+    int used = snprintf(text, sizeof text, "%s. %zu piece%s on %s. %zu seam%s%s",
+                        count > 2 ? details[count - 2] : "", p->piece_count,
+                        p->piece_count == 1 ? "" : "s", details[0], seams, seams == 1 ? "" : "s",
+                        numbered > 0 ? " with numbers" : "");
+    if (g->step_count > 0)
+        snprintf(text + used, sizeof text - (size_t)used, ", %u step%s.", g->step_count,
+                 g->step_count == 1 ? "" : "s");
     if (text[0] >= 'a' && text[0] <= 'z')
         text[0] = (char)(text[0] - 'a' + 'A');
     ktg_column_wrap(at, KTG_FACE_PLAIN, TEXT_MM, text, false);
@@ -92,8 +96,8 @@ static void write_rules(const ktg_build_guide *g, ktg_column *at) {
                           "seams step by step, tab under edge.",
                     false);
     ktg_column_wrap(at, KTG_FACE_PLAIN, TEXT_MM,
-                    "Begin a seam at the end where the paper is closed already, and close it from "
-                    "there like a zip.",
+                    "Begin a seam at the end where the paper is closed already (a dot in the "
+                    "pictures), and close it from there like a zip.",
                     false);
     if (has_numbers(g))
         ktg_column_wrap(at, KTG_FACE_PLAIN, TEXT_MM,

@@ -5,6 +5,7 @@
 
 #define NUMBER_MM  1.75
 #define SEAM_MM    0.55
+#define START_MM   0.75
 #define NOTCH_MM   0.3
 #define FRAME      1.5  /* a step's picture is so much wider than its seams, ... */
 #define LEAST_SHOW 0.45 /* ... and shows at least so much of the body */
@@ -19,10 +20,9 @@ typedef struct step_look {
     uint32_t step; /* from 1 */
 } step_look;
 
-static uint32_t step_colour(const void *user, uint32_t face, const double weights[3]) {
+static uint32_t step_colour(const void *user, const ktg_seen_dot *dot) {
     const step_look *look = user;
-    uint32_t stage = look->guide->stage[face];
-    (void)weights;
+    uint32_t stage = look->guide->stage[dot->face];
     return ktg_drawing_colour(look->guide->drawing, stage == look->step  ? KTG_GUIDE_NOW
                                                     : stage < look->step ? KTG_GUIDE_BEFORE
                                                                          : KTG_GUIDE_OPEN);
@@ -109,6 +109,27 @@ static run trace_seam(const ktg_picture *picture, cairo_t *cairo, const ktg_patt
     return longest;
 }
 
+/* A dot where the gluing of a seam begins, if that is seen. */
+static void draw_start(const ktg_build_guide *g, const ktg_picture *picture, cairo_t *cairo,
+                       uint32_t seam) {
+    const ktg_pattern *pattern = g->drawing->pattern;
+    const ktg_pattern_seam *s = &pattern->seams[seam];
+    uint32_t vertex = g->starts[seam];
+    if (vertex == KTG_NONE)
+        return;
+    ktg_vec2 dot = ktg_view_dot(&picture->view, pattern->vertices[vertex]);
+    ktg_vec2 at = ktg_picture_point(picture, dot);
+    for (uint32_t k = 0; k < s->edge_count; k++) {
+        const ktg_pattern_edge *edge = &pattern->edges[s->edges[k]];
+        if ((edge->vertices[0] != vertex && edge->vertices[1] != vertex) ||
+            !ktg_view_shows(&picture->view, dot, edge->sides[0].face, edge->sides[1].face))
+            continue;
+        cairo_arc(cairo, at.x, at.y, START_MM, 0, 2 * KTG_PI);
+        cairo_fill(cairo);
+        return;
+    }
+}
+
 static void stroke_seam(const ktg_build_guide *g, const ktg_picture *picture, cairo_t *cairo,
                         uint32_t seam, run *longest) {
     const ktg_pattern_seam *s = &g->drawing->pattern->seams[seam];
@@ -121,6 +142,7 @@ static void stroke_seam(const ktg_build_guide *g, const ktg_picture *picture, ca
     cairo_set_dash(cairo, NULL, 0, 0);
     cairo_set_line_width(cairo, s->obvious ? NOTCH_MM : SEAM_MM);
     cairo_stroke(cairo);
+    draw_start(g, picture, cairo, seam);
 }
 
 static bool is_within(ktg_area area, ktg_vec2 p) {

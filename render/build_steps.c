@@ -64,8 +64,7 @@ static uint32_t count_steps(const ktg_pattern *pattern) {
     return count;
 }
 
-/* The step of a seam, from 1; 0 where nobody said. */
-static uint32_t step_of(const ktg_build_guide *g, size_t seam) {
+uint32_t ktg_guide_step_of(const ktg_build_guide *g, size_t seam) {
     uint32_t section = g->drawing->pattern->seams[seam].section;
     return section <= g->step_count ? section : 0;
 }
@@ -81,17 +80,17 @@ static void fill_steps(ktg_build_guide *g) {
     const ktg_pattern *pattern = g->drawing->pattern;
     uint32_t *next = g->seams_in;
     for (size_t s = 0; s < pattern->seam_count; s++)
-        if (step_of(g, s) > 0)
-            g->steps[step_of(g, s) - 1].seam_count++;
+        if (ktg_guide_step_of(g, s) > 0)
+            g->steps[ktg_guide_step_of(g, s) - 1].seam_count++;
     for (uint32_t k = 0; k < g->step_count; k++) {
         g->steps[k].seams = next;
         next += g->steps[k].seam_count;
         g->steps[k].seam_count = 0;
     }
     for (uint32_t s = 0; s < pattern->seam_count; s++) { /* seams without numbers come last */
-        if (step_of(g, s) == 0)
+        if (ktg_guide_step_of(g, s) == 0)
             continue;
-        ktg_step *step = &g->steps[step_of(g, s) - 1];
+        ktg_step *step = &g->steps[ktg_guide_step_of(g, s) - 1];
         step->seams[step->seam_count++] = s;
         step->numbered += !pattern->seams[s].obvious;
         step->closing += pattern->seams[s].closing;
@@ -108,7 +107,7 @@ static void find_parts(ktg_build_guide *g) {
         const ktg_pattern_seam *seam = &pattern->seams[s];
         ktg_set_join(g->part_of, seam->pieces[0], seam->pieces[1]);
         for (int k = 0; k < 2; k++) {
-            uint32_t *first = &g->first_step[seam->pieces[k]], step = step_of(g, s);
+            uint32_t *first = &g->first_step[seam->pieces[k]], step = ktg_guide_step_of(g, s);
             if (step > 0 && (*first == 0 || step < *first))
                 *first = step;
         }
@@ -163,47 +162,6 @@ static ktg_status find_followed(ktg_build_guide *g) {
     return status;
 }
 
-/* ---- stages of faces ---------------------------------------------------------------------- */
-
-/* A face has its place when the first of its seams is glued; a face without seams goes with the
- * nearest one that has some. */
-static ktg_status find_stages(ktg_build_guide *g) {
-    const ktg_pattern *pattern = g->drawing->pattern;
-    ktg_context *context = g->drawing->context;
-    uint32_t *beside = ktg_new(context, 3 * (size_t)pattern->face_count, uint32_t);
-    uint32_t *queue = ktg_new(context, pattern->face_count, uint32_t), count = 0;
-    ktg_status status = beside && queue ? KTG_OK : KTG_MEMORY;
-    for (size_t h = 0; status == KTG_OK && h < 3 * (size_t)pattern->face_count; h++) {
-        uint32_t step = g->seam_of[h] < pattern->seam_count ? step_of(g, g->seam_of[h]) : 0;
-        uint32_t *stage = &g->stage[h / 3];
-        beside[h] = KTG_NONE;
-        if (step > 0 && (*stage == 0 || step < *stage))
-            *stage = step;
-    }
-    for (size_t e = 0; status == KTG_OK && e < pattern->edge_count; e++) {
-        const ktg_pattern_edge *edge = &pattern->edges[e];
-        if (edge->side_count < 2 || edge->kind == KTG_EDGE_CUT)
-            continue;
-        for (int k = 0; k < 2; k++)
-            beside[3 * (size_t)edge->sides[k].face + edge->sides[k].corner] =
-                edge->sides[1 - k].face;
-    }
-    for (uint32_t f = 0; status == KTG_OK && f < pattern->face_count; f++)
-        if (g->stage[f] > 0)
-            queue[count++] = f;
-    for (uint32_t i = 0; i < count; i++)
-        for (size_t k = 0; k < 3; k++) {
-            uint32_t face = beside[3 * (size_t)queue[i] + k];
-            if (face == KTG_NONE || g->stage[face] > 0)
-                continue;
-            g->stage[face] = g->stage[queue[i]];
-            queue[count++] = face;
-        }
-    ktg_free(beside);
-    ktg_free(queue);
-    return status;
-}
-
 /* ---- the whole ---------------------------------------------------------------------------- */
 
 /* The fewest seams a step must have for a picture, so that there are not too many. */
@@ -232,8 +190,10 @@ static ktg_status make_room(ktg_build_guide *g) {
     g->seam_of = ktg_new(context, 3 * (size_t)p->face_count, uint32_t);
     g->shown = ktg_new(context, p->face_count, bool);
     g->is_told = ktg_new(context, p->seam_count, bool);
+    g->starts = ktg_new(context, p->seam_count, uint32_t);
     if (!g->steps || !g->seams_in || !g->low || !g->high || !g->piece_of || !g->part_of ||
-        !g->first_step || !g->stage || !g->sides || !g->seam_of || !g->shown || !g->is_told)
+        !g->first_step || !g->stage || !g->sides || !g->seam_of || !g->shown || !g->starts ||
+        !g->is_told)
         return KTG_MEMORY;
     for (size_t f = 0; f < p->face_count; f++)
         g->piece_of[f] = KTG_NONE;
@@ -251,7 +211,8 @@ ktg_status ktg_guide_find_steps(ktg_build_guide *g) {
     fill_steps(g);
     limit_pictures(g);
     KTG_TRY(find_followed(g));
-    return find_stages(g);
+    KTG_TRY(ktg_guide_find_starts(g));
+    return ktg_guide_find_stages(g);
 }
 
 void ktg_build_guide_free(ktg_build_guide **guide) {
@@ -270,6 +231,7 @@ void ktg_build_guide_free(ktg_build_guide **guide) {
     ktg_free(g->seam_of);
     ktg_free(g->shown);
     ktg_free(g->is_told);
+    ktg_free(g->starts);
     ktg_free(g);
     *guide = NULL;
 }

@@ -17,13 +17,17 @@
 /* What is drawn along a face's side. */
 typedef enum side_look { SIDE_PLAIN, SIDE_FOLD, SIDE_CUT, SIDE_PIECE } side_look;
 
-#define DOT_MM (25.4 / 200)
+/* Of colours while a picture is painted. */
+typedef struct sampling {
+    ktg_status status; /* the first failure */
+    uint32_t near;     /* where the last dot was */
+} sampling;
 
 typedef struct solid {
     const ktg_drawing *drawing;
     uint32_t *piece_of; /* face_count; KTG_NONE */
     uint8_t *looks;     /* 3 face_count: side_look */
-    double dot;         /* about how wide a dot of the picture is, in the surface's unit */
+    sampling *sampling;
 } solid;
 
 /* Of each piece: how many dots are seen, their middle, and the dot nearest to that. */
@@ -35,41 +39,32 @@ typedef struct sight {
 
 /* ---- looks -------------------------------------------------------------------------------- */
 
-/* The weights of the face's corners change by this from dot to dot along its edges from the first
- * one. */
-static void set_steps(const solid *s, ktg_paint_dot *dot) {
-    const ktg_pattern *pattern = s->drawing->pattern;
-    const uint32_t *c = pattern->faces + 3 * (size_t)dot->face;
-    ktg_vec3 at = pattern->vertices[c[0]];
-    double right = ktg_length3(ktg_sub3(pattern->vertices[c[1]], at)),
-           down = ktg_length3(ktg_sub3(pattern->vertices[c[2]], at));
-    dot->right[1] = right > 0 ? s->dot / right : 0;
-    dot->right[0] = -dot->right[1];
-    dot->down[2] = down > 0 ? s->dot / down : 0;
-    dot->down[0] = -dot->down[2];
-}
-
-/* The model's own colours; white where memory runs out. */
-static uint32_t paint_of(const solid *s, uint32_t face, const double weights[3]) {
-    ktg_paint_dot dot = {
-        .face = face, .weights = {weights[0], weights[1], weights[2]}, .near = KTG_NONE};
-    uint8_t rgb[3];
-    set_steps(s, &dot);
-    if (ktg_paint_colour(s->drawing->context, s->drawing->options.paint, &dot, rgb) != KTG_OK)
+/* What the model looks like there. */
+static uint32_t colour_of_paint(const solid *s, const ktg_seen_dot *seen) {
+    ktg_paint_dot dot = {.face = seen->face, .near = s->sampling->near};
+    uint8_t rgb[3] = {255, 255, 255};
+    if (seen->is_inside || s->sampling->status != KTG_OK)
         return 0xffffff;
+    for (int k = 0; k < 3; k++) {
+        dot.weights[k] = seen->weights[k];
+        dot.right[k] = seen->right[k];
+        dot.down[k] = seen->down[k];
+    }
+    s->sampling->status =
+        ktg_paint_colour(s->drawing->context, s->drawing->options.paint, &dot, rgb);
+    s->sampling->near = dot.near;
     return (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2];
 }
 
-static uint32_t colour_of(const void *user, uint32_t face, const double weights[3]) {
+static uint32_t colour_of(const void *user, const ktg_seen_dot *dot) {
     const solid *s = user;
-    uint32_t piece = s->piece_of[face];
-    if (s->drawing->options.paint)
-        return paint_of(s, face, weights);
-    if (s->drawing->tints)
-        return s->drawing->tints[face];
-    if (!s->drawing->piece_tints || piece == KTG_NONE)
-        return 0xffffff;
-    return s->drawing->piece_tints[piece];
+    const ktg_drawing *drawing = s->drawing;
+    uint32_t piece = s->piece_of[dot->face];
+    if (drawing->tints)
+        return drawing->tints[dot->face];
+    if (drawing->options.paint)
+        return ktg_drawing_colour(drawing, colour_of_paint(s, dot));
+    return !drawing->piece_tints || piece == KTG_NONE ? 0xffffff : drawing->piece_tints[piece];
 }
 
 static ktg_line_look line_of(const void *user, uint32_t face, uint32_t side) {
@@ -188,7 +183,7 @@ bool ktg_solid_is_wanted(const ktg_drawing *drawing) {
     return drawing->pattern->mode == KTG_PAPER && drawing->pattern->piece_count > 1;
 }
 
-static ktg_status draw(solid *s, cairo_t *cairo, ktg_area area, bool from_behind,
+static ktg_status draw(const solid *s, cairo_t *cairo, ktg_area area, bool from_behind,
                        ktg_picture *picture) {
     const ktg_pattern *pattern = s->drawing->pattern;
     ktg_eye eye = ktg_eye_at(s->drawing->options.up, TURN + (from_behind ? KTG_PI : 0), RISE);
@@ -196,18 +191,18 @@ static ktg_status draw(solid *s, cairo_t *cairo, ktg_area area, bool from_behind
     ktg_area seen;
     if (!ktg_view_extent(pattern, NULL, &eye, &seen))
         return KTG_OK;
-    s->dot = DOT_MM * fmax((seen.x1 - seen.x0) / (area.x1 - area.x0),
-                           (seen.y1 - seen.y0) / (area.y1 - area.y0));
     KTG_TRY(ktg_picture_draw(s->drawing->context, pattern, NULL, &eye, seen, &look, cairo, area,
                              picture));
+    KTG_TRY(s->sampling->status);
     return pattern->piece_count > 1 ? write_names(s, picture, cairo, area) : KTG_OK;
 }
 
 ktg_status ktg_solid_picture(const ktg_drawing *drawing, cairo_t *cairo, ktg_area area,
                              bool from_behind, ktg_picture *picture) {
     const ktg_pattern *pattern = drawing->pattern;
+    sampling colours = {KTG_OK, KTG_NONE};
     solid s = {drawing, ktg_new(drawing->context, pattern->face_count, uint32_t),
-               ktg_new(drawing->context, 3 * (size_t)pattern->face_count, uint8_t), 0};
+               ktg_new(drawing->context, 3 * (size_t)pattern->face_count, uint8_t), &colours};
     ktg_status status = s.piece_of && s.looks ? KTG_OK : KTG_MEMORY;
     *picture = (ktg_picture){.mm = 0};
     if (status == KTG_OK) {

@@ -3,6 +3,8 @@
 
 #include "core/memory.h"
 
+#include <string.h>
+
 #define MOST_DOTS (1 << 26)
 
 /* ---- the eye ------------------------------------------------------------------------------ */
@@ -128,8 +130,7 @@ ktg_status ktg_view_look(ktg_context *context, const ktg_pattern *pattern, const
         ktg_view_drop(view);
         return KTG_MEMORY;
     }
-    for (size_t i = 0; i < dots; i++)
-        view->faces[i] = KTG_NONE;
+    memset(view->faces, 0xff, dots * sizeof *view->faces); /* KTG_NONE */
     for (uint32_t f = 0; f < pattern->face_count; f++)
         if (!shown || shown[f])
             put_face(view, f);

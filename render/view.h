@@ -62,12 +62,19 @@ typedef struct ktg_line_look {
     double grey;     /* 0: black */
 } ktg_line_look;
 
+/* Where on the surface a dot of the picture lies: the weights of the face's corners, which add up
+ * to 1, and how they change from dot to dot. */
+typedef struct ktg_seen_dot {
+    uint32_t face;
+    double weights[3], right[3], down[3];
+    bool is_inside; /* the back of the face is seen */
+} ktg_seen_dot;
+
 /* The look of a picture; functions are handed `user`. */
 typedef struct ktg_look {
     const void *user;
-    /* 0xRRGGBB before light and shade; the weights of the face's corners add up to 1. NULL: white.
-     */
-    uint32_t (*colour)(const void *user, uint32_t face, const double weights[3]);
+    /* 0xRRGGBB before light and shade. NULL: white. */
+    uint32_t (*colour)(const void *user, const ktg_seen_dot *dot);
     /* `side` of `face` is an edge of the surface. NULL: no lines but outlines. */
     ktg_line_look (*line)(const void *user, uint32_t face, uint32_t side);
     double outline_mm;

@@ -42,12 +42,10 @@ static int shared_corners(const ktg_pattern *pattern, uint32_t face, uint32_t ot
     return count;
 }
 
-/* The line between two neighbouring dots. */
+/* The line between two neighbouring dots of two faces. */
 static ktg_line_look look_between(const inking *in, size_t at, size_t beside) {
     uint32_t face = in->view->faces[at], other = in->view->faces[beside], side;
     ktg_line_look none = {0, 0}, outline = {in->look->outline_mm, 0.25};
-    if (face == other)
-        return none;
     if (face == KTG_NONE || other == KTG_NONE)
         return outline;
     int shared = shared_corners(in->view->pattern, face, other, &side);
@@ -61,6 +59,8 @@ static ktg_line_look look_between(const inking *in, size_t at, size_t beside) {
 static void put_ink(const inking *in, double x, double y, ktg_line_look look) {
     double radius = ktg_max(look.width_mm * in->dots_per_mm / 2, 0.3);
     uint8_t grey = (uint8_t)(look.grey * 254);
+    if (!(look.width_mm > 0))
+        return;
     int reach = (int)ceil(radius);
     for (int j = (int)floor(y) - reach; j <= (int)floor(y) + reach; j++)
         for (int i = (int)floor(x) - reach; i <= (int)floor(x) + reach; i++) {
@@ -75,35 +75,39 @@ static void put_ink(const inking *in, double x, double y, ktg_line_look look) {
 
 static void draw_ink(const inking *in) {
     int width = in->view->width, height = in->view->height;
+    const uint32_t *faces = in->view->faces;
     memset(in->ink, NO_INK, (size_t)width * (size_t)height);
     for (int y = 0; y < height; y++)
         for (int x = 0; x < width; x++) {
             size_t at = (size_t)y * (size_t)width + (size_t)x;
-            ktg_line_look right = {0, 0}, below = {0, 0};
-            if (x + 1 < width)
-                right = look_between(in, at, at + 1);
-            if (y + 1 < height)
-                below = look_between(in, at, at + (size_t)width);
-            if (right.width_mm > 0)
-                put_ink(in, x + 0.8, y + 0.5, right);
-            if (below.width_mm > 0)
-                put_ink(in, x + 0.5, y + 0.8, below);
+            if (x + 1 < width && faces[at] != faces[at + 1])
+                put_ink(in, x + 0.8, y + 0.5, look_between(in, at, at + 1));
+            if (y + 1 < height && faces[at] != faces[at + (size_t)width])
+                put_ink(in, x + 0.5, y + 0.8, look_between(in, at, at + (size_t)width));
         }
 }
 
 /* ---- colours ------------------------------------------------------------------------------ */
 
-/* The weights of the face's corners at a point of the picture, in dots. */
-static void weigh_corners(const ktg_view *view, uint32_t face, ktg_vec2 at, double weights[3]) {
+/* Where on its face a point of the picture, in dots, lies; `step` dots make one of the image. */
+static ktg_seen_dot find_dot(const ktg_view *view, uint32_t face, ktg_vec2 at, int step) {
     const uint32_t *v = &view->pattern->faces[3 * (size_t)face];
     ktg_vec2 a = ktg_view_dot(view, view->pattern->vertices[v[0]]);
     ktg_vec2 b = ktg_sub2(ktg_view_dot(view, view->pattern->vertices[v[1]]), a);
     ktg_vec2 c = ktg_sub2(ktg_view_dot(view, view->pattern->vertices[v[2]]), a);
     ktg_vec2 p = ktg_sub2(at, a);
     double area = ktg_cross2(b, c);
-    weights[1] = ktg_cross2(p, c) / area;
-    weights[2] = ktg_cross2(b, p) / area;
-    weights[0] = 1 - weights[1] - weights[2];
+    ktg_seen_dot dot = {.face = face, .is_inside = area > 0}; /* y is down */
+    dot.weights[1] = ktg_cross2(p, c) / area;
+    dot.weights[2] = ktg_cross2(b, p) / area;
+    dot.weights[0] = 1 - dot.weights[1] - dot.weights[2];
+    dot.right[1] = step * c.y / area;
+    dot.right[2] = -step * b.y / area;
+    dot.down[1] = -step * c.x / area;
+    dot.down[2] = step * b.x / area;
+    dot.right[0] = -dot.right[1] - dot.right[2];
+    dot.down[0] = -dot.down[1] - dot.down[2];
+    return dot;
 }
 
 /* How bright a face is. */
@@ -129,11 +133,17 @@ typedef struct painting {
     int oversample;
 } painting;
 
-/* Adds a dot of the view: red, green, blue, and that something is there. */
-static void add_dot(const painting *p, int x, int y, double sum[4]) {
+/* A dot of the image while it is mixed. */
+typedef struct mixture {
+    double sum[4];         /* red, green, blue, and how often something is there */
+    uint32_t face, colour; /* the last face, and its colour here */
+} mixture;
+
+/* Adds a dot of the view. */
+static void add_dot(const painting *p, int x, int y, mixture *m) {
     size_t at = (size_t)y * (size_t)p->view->width + (size_t)x;
-    uint32_t face = p->view->faces[at], colour = 0xffffff;
-    double weights[3];
+    uint32_t face = p->view->faces[at];
+    double *sum = m->sum;
     if (p->ink[at] != NO_INK) {
         for (int k = 0; k < 3; k++)
             sum[k] += p->ink[at];
@@ -142,25 +152,50 @@ static void add_dot(const painting *p, int x, int y, double sum[4]) {
     }
     if (face == KTG_NONE)
         return;
-    if (p->look->colour) {
-        weigh_corners(p->view, face, (ktg_vec2){x + 0.5, y + 0.5}, weights);
-        colour = p->look->colour(p->look->user, face, weights);
+    if (face != m->face && p->look->colour) {
+        ktg_seen_dot dot = find_dot(p->view, face, (ktg_vec2){x + 0.5, y + 0.5}, p->oversample);
+        m->colour = p->look->colour(p->look->user, &dot);
     }
+    m->face = face;
     for (int k = 0; k < 3; k++)
-        sum[k] += (double)(colour >> (16 - 8 * k) & 255) * (double)p->shades[face];
+        sum[k] += (double)(m->colour >> (16 - 8 * k) & 255) * (double)p->shades[face];
     sum[3]++;
+}
+
+/* Whether all dots of the view that make the image's dot show one face, or nothing, and no ink. */
+static bool is_plain(const painting *p, int x, int y) {
+    int n = p->oversample, width = p->view->width;
+    if (n * (x + 1) > width || n * (y + 1) > p->view->height)
+        return false;
+    size_t first = (size_t)(n * y) * (size_t)width + (size_t)(n * x);
+    for (int j = 0; j < n; j++)
+        for (int i = 0; i < n; i++) {
+            size_t at = first + (size_t)j * (size_t)width + (size_t)i;
+            if (p->view->faces[at] != p->view->faces[first] || p->ink[at] != NO_INK)
+                return false;
+        }
+    return true;
+}
+
+static void add_block(const painting *p, int x, int y, mixture *m) {
+    for (int j = y; j < y + p->oversample && j < p->view->height; j++)
+        for (int i = x; i < x + p->oversample && i < p->view->width; i++)
+            add_dot(p, i, j, m);
 }
 
 /* A dot of the image, its colour multiplied by how much of it is there. */
 static uint32_t mix_dot(const painting *p, int x, int y) {
-    double sum[4] = {0, 0, 0, 0};
+    mixture m = {{0, 0, 0, 0}, KTG_NONE, 0xffffff};
     int n = p->oversample;
-    for (int j = n * y; j < n * y + n && j < p->view->height; j++)
-        for (int i = n * x; i < n * x + n && i < p->view->width; i++)
-            add_dot(p, i, j, sum);
-    uint32_t dot = (uint32_t)lround(255 * sum[3] / (n * n));
+    if (is_plain(p, x, y)) { /* as most are */
+        add_dot(p, n * x, n * y, &m);
+        for (int k = 0; k < 4; k++)
+            m.sum[k] *= n * n;
+    } else
+        add_block(p, n * x, n * y, &m);
+    uint32_t dot = (uint32_t)lround(255 * m.sum[3] / (n * n));
     for (int k = 0; k < 3; k++)
-        dot = dot << 8 | (uint32_t)lround(sum[k] / (n * n));
+        dot = dot << 8 | (uint32_t)lround(m.sum[k] / (n * n));
     return dot;
 }
 

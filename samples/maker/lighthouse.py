@@ -16,18 +16,18 @@ BACK = -5.5                    # the side at which bands are cut open
 SIZE = 1024
 
 # Where bands lie in the picture: left, top, right, bottom.
-TOWER = (16, 16, 912, 536)
+TOWER = (16, 16, 760, 536)
 ROCK = (16, 560, 912, 768)
 LANTERN = (496, 792, 1000, 872)
 RAIL = (496, 888, 1000, 928)
-BRACKETS = (496, 944, 1000, 968)
-FLOOR = (496, 984, 1000, 1006)
-EAVES = (928, 16, 948, 536)    # upright: its length runs down
+EAVES = (496, 952, 1000, 976)
 
 # Discs: the middle in the picture, and pixels to the centimetre.
 ROOF = (120, 896, 62.0)
 GRASS = (364, 898, 20.0)
 GROUND = (970, 660, 5.0)
+FLOOR = (900, 140, 40.0)
+BRACKETS = (900, 376, 40.0)
 
 # Height and radius of the rings of the tower.
 SHAFT = [(3.6, 2.55), (6.6, 2.15), (10.0, 1.9), (13.6, 1.75)]
@@ -44,15 +44,15 @@ def build():
     ground(house, rock[0])
     for k in range(3):
         band(house, rock[k], rock[k + 1], ROCK, k / 3, (k + 1) / 3, True)
-    crown(house, rock[3], shaft[0])
+    annulus(house, rock[3], shaft[0], GRASS, 1, True)
     low, high = SHAFT[0][0], SHAFT[-1][0]
     for k in range(3):
         band(house, shaft[k], shaft[k + 1], TOWER,
              (SHAFT[k][0] - low) / (high - low),
              (SHAFT[k + 1][0] - low) / (high - low))
-    band(house, shaft[-1], edge[0], BRACKETS)
+    annulus(house, shaft[-1], edge[0], BRACKETS, -1)
     band(house, edge[0], edge[1], RAIL)
-    band(house, edge[1], lamp[0], FLOOR)
+    annulus(house, edge[1], lamp[0], FLOOR, 1)
     band(house, lamp[0], lamp[1], LANTERN)
     band(house, lamp[1], eaves, EAVES)
     roof(house, eaves)
@@ -97,8 +97,6 @@ def place_in(area, side, t):
     """Where the start of a side is at the fraction t of a band's height."""
     left, top, right, bottom = area
     along = (side - BACK) / SIDES
-    if bottom - top > right - left:
-        return right + (left - right) * t, top + (bottom - top) * along
     return left + (right - left) * along, bottom + (top - bottom) * t
 
 
@@ -136,12 +134,12 @@ def ground(house, rim):
         [seen_in(GROUND, -1, house.points[i]) for i in rim[::-1]])
 
 
-def crown(house, outer, inner):
+def annulus(house, lower, upper, area, turn, uneven=False):
     for j in range(SIDES):
         k = (j + 1) % SIDES
-        corners = (outer[j], outer[k], inner[k], inner[j])
+        corners = (lower[j], lower[k], upper[k], upper[j])
         add(house, corners,
-            [seen_in(GRASS, 1, house.points[i]) for i in corners], True)
+            [seen_in(area, turn, house.points[i]) for i in corners], uneven)
 
 
 def roof(house, rim):
@@ -212,17 +210,17 @@ def paint_plinth(picture, x0, y0, x1, y1):
 
 
 def paint_door(picture, x, bottom):
-    picture.box(x - 34, bottom - 12, x + 34, bottom + 12, "stone 3")
-    picture.arch(x, bottom - 98, bottom - 8, 56, "stone 1")
-    picture.arch(x, bottom - 92, bottom - 8, 44, "dark wood")
+    picture.box(x - 30, bottom - 12, x + 30, bottom + 12, "stone 3")
+    picture.arch(x, bottom - 96, bottom - 8, 52, "stone 1")
+    picture.arch(x, bottom - 90, bottom - 8, 40, "dark wood")
     for k in range(4):
-        picture.box(x - 20 + 10 * k, bottom - 72, x - 12 + 10 * k, bottom - 8,
+        picture.box(x - 18 + 9 * k, bottom - 70, x - 11 + 9 * k, bottom - 8,
                     "wood")
-    picture.arch(x, bottom - 86, bottom - 74, 24, "light")
-    picture.disc(x + 13, bottom - 42, 3, "brass")
-    picture.box(x - 34, bottom - 132, x + 34, bottom - 102, "black")
-    picture.box(x - 32, bottom - 130, x + 32, bottom - 104, "white")
-    picture.write("1907", x - 30, bottom - 127, 4, "black")
+    picture.arch(x, bottom - 86, bottom - 74, 22, "light")
+    picture.disc(x + 12, bottom - 42, 3, "brass")
+    picture.box(x - 28, bottom - 124, x + 28, bottom - 100, "black")
+    picture.box(x - 26, bottom - 122, x + 26, bottom - 102, "white")
+    picture.write("1907", x - 22, bottom - 120, 3, "black")
 
 
 def paint_window(picture, x, y):
@@ -280,16 +278,25 @@ def paint_gallery(picture):
         picture.box(left - 8, y, right + 8, y + (12 if y < top else 4),
                     "black")
     picture.box(left - 8, bottom - 6, right + 8, bottom + 7, "red")
-    left, top, right, bottom = BRACKETS
-    picture.box(left - 8, top - 7, right + 8, bottom + 7, "shade")
-    for k in range(2 * SIDES + 1):
-        x = left + (right - left) * k / (2 * SIDES)
-        picture.box(x - 5, top - 7, x + 5, bottom + 7, "dark red")
-    left, top, right, bottom = FLOOR
-    picture.box(left - 8, top - 7, right + 8, bottom + 7, "stone 2")
-    for k in range(3 * SIDES + 1):
-        x = left + (right - left) * k / (3 * SIDES)
-        picture.box(x - 1, top - 7, x + 1, bottom + 7, "stone 0")
+    paint_spokes(picture, BRACKETS, 2, 8, "shade", "dark red")
+    paint_spokes(picture, FLOOR, 3, 1.5, "stone 2", "stone 0")
+
+
+def paint_spokes(picture, area, count, width, ground, colour):
+    """So many spokes on each side, as wide at the rim as at the hub."""
+    x0, y0, scale = area
+    reach = 2.75 * scale
+    picture.box(x0 - reach, y0 - reach, x0 + reach, y0 + reach, ground)
+    spokes = [direction((j + 0.5) / count)
+              for j in range(count * SIDES)]
+
+    def choose(x, y):
+        x, y = x - x0, y - y0
+        near = any(abs(x * c - y * s) < width / 2 and x * s + y * c > 0
+                   for s, c in spokes)
+        return colour if near else None
+
+    picture.each(x0 - reach, y0 - reach, x0 + reach, y0 + reach, choose)
 
 
 def paint_lantern(picture):

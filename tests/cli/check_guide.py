@@ -4,7 +4,8 @@
     check_guide.py PATTERN.pdf PATTERN.json
 
 The steps' titles ("3. Seams 17-23") must name the numbers of the pattern's sections, one after the
-other, without a gap; what closes each body must be told. Exit status 0, 1, or 77 without
+other, without a gap; each number stands in a picture or among those that are hidden; what closes a
+body must be told. Exit status 0, 1, or 77 without
 pdftotext."""
 
 import json
@@ -49,6 +50,11 @@ def check(text, pattern):
     numbered = sum(not seam.get('obvious') for seam in pattern['seams'])
     if told != numbered:
         problems.append('%d of %d seams are told' % (told, numbered))
+    words = set(re.findall(r'(?<!\S)\d+(?=[,.]?(?:\s|$))', TITLE.sub('', text)))
+    unseen = [seam.get('number', place) for place, seam in enumerate(pattern['seams'], 1)
+              if not seam.get('obvious') and str(seam.get('number', place)) not in words]
+    if unseen:
+        problems.append('neither in a picture nor among the hidden: %s' % unseen)
     closing = len(re.findall(r'\bclose[s]?\s+(?:the\s+model|it\b)', text))
     if any(seam.get('closing') for seam in pattern['seams']) and not closing:
         problems.append('nothing tells how the model is closed')

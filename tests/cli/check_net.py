@@ -17,8 +17,10 @@ import math
 import sys
 
 LENGTH = 1e-9     # relative error of an edge's length
+NOISE = 1e-14     # what coordinates cannot tell, of the largest one
 POSITION = 1e-9   # of a vertex against the model, over the model's diagonal
-FACE_MM = 1e-5    # how deep two faces may lie in each other
+FACE_MM = 1e-5    # how deep two faces may lie in each other, ...
+FACE = 1e-7       # ... or so much of the surface's diagonal: what unfolding promises
 TAB_MM = 1e-3     # a tab and anything
 SHEET_MM = 1e-6   # how far anything may leave the printable area
 
@@ -151,14 +153,17 @@ def check_faces(net, problems):
     if problems or len(net.place) != len(net.faces):
         problems.add('%d faces in pieces, %d in the surface', len(net.place), len(net.faces))
         return
+    places = [*net.points, *(p for piece in net.pieces.values() for p in piece['vertices'])]
+    noise = NOISE * max(abs(x) for p in places for x in p)
     for face, corners in enumerate(net.faces):
         flat = net.flat(face)
-        if signed_area(flat) <= 0:
+        wanted = [distance(net.points[corners[k]], net.points[corners[(k + 1) % 3]]) for k in range(3)]
+        height = math.hypot(*area_vector([net.points[c] for c in corners])) / (max(wanted) or 1)
+        if signed_area(flat) <= 0 and height > noise:
             problems.add('%s is mirrored', net.name(face))
-        for k in range(3):
-            wanted = distance(net.points[corners[k]], net.points[corners[(k + 1) % 3]])
+        for k, wanted in enumerate(wanted):
             found = distance(flat[k], flat[(k + 1) % 3])
-            if abs(found - wanted) > LENGTH * wanted:
+            if abs(found - wanted) > LENGTH * wanted + noise:
                 problems.add('%s, side %d: %.12g long instead of %.12g', net.name(face), k, found,
                              wanted)
 
@@ -244,6 +249,7 @@ def check_inside(sheet, own, problems):
 
 def check_sheets(net, problems):
     placed, tiles = collections.Counter(), collections.defaultdict(list)
+    least = max(FACE_MM, FACE * diagonal(net.points))
     for sheet in net.pattern['sheets']:
         shapes = []
         for place in sheet['placements']:
@@ -258,7 +264,7 @@ def check_sheets(net, problems):
                 check_inside(sheet, own + [('the outline of piece %s' % place['piece'], outline, 0)], problems)
             check_outline(own, outline, place['piece'], problems)
             shapes += own
-        for a, b, deep in crowded(shapes, FACE_MM):
+        for a, b, deep in crowded(shapes, least):
             problems.add('%s and %s lie in each other, %.3g mm deep', a, b, deep)
     for number in net.pieces:
         if number in tiles and not placed[number]:

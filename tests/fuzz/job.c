@@ -6,8 +6,8 @@
 #include <stdio.h>
 #include <unistd.h>
 
-/* Of searching and nesting, which counts its work: with sanitizers a second becomes a minute. */
-#define MOST_SECONDS 2
+/* Of searching and nesting, which count their work: with sanitizers a second becomes a minute. */
+#define MOST_SECONDS 0.3
 
 static void pick_sheet(fuzz_bytes *bytes, ktg_layout_options *layout) {
     static const char *const sheets[] = {"a4", "a5", "60x40", "fit", "letter", "a0", "30x500"};
@@ -18,6 +18,7 @@ static void pick_sheet(fuzz_bytes *bytes, ktg_layout_options *layout) {
     layout->gap_mm = FUZZ_PICK(bytes, double, 2, 0, 10);
     layout->roll = fuzz_below(bytes, 8) == 7;
     layout->effort = KTG_EFFORT_QUICK;
+    layout->enough_sheets = FUZZ_PICK(bytes, uint32_t, 100, 100, 100, 0);
 }
 
 static void pick_drawing(fuzz_bytes *bytes, ktg_render_options *render) {
@@ -33,6 +34,7 @@ static void pick_drawing(fuzz_bytes *bytes, ktg_render_options *render) {
 
 void fuzz_options(fuzz_bytes *bytes, ktg_pipeline_options *options) {
     ktg_pipeline_defaults(options);
+    options->colours = KTG_COLOURS_OFF;
     options->faces = FUZZ_PICK(bytes, uint32_t, KTG_ALL_FACES, KTG_ALL_FACES, 4, 12);
     options->size_rule = (ktg_size_rule)fuzz_below(bytes, 5);
     options->size_mm = FUZZ_PICK(bytes, double, 30, 1, 100, 400, 7.3, 0.01, 1500);
@@ -43,6 +45,8 @@ void fuzz_options(fuzz_bytes *bytes, ktg_pipeline_options *options) {
     options->unfold.seconds = MOST_SECONDS;
     pick_sheet(bytes, &options->layout);
     pick_drawing(bytes, &options->render);
+    if (fuzz_below(bytes, 8) == 7 && options->size_mm < 50) /* many dots take long */
+        options->colours = FUZZ_PICK(bytes, ktg_colour_rule, KTG_COLOURS_AUTO, KTG_COLOURS_ON);
 }
 
 static ktg_mesh *read_repaired(ktg_context *context, const char *path) {

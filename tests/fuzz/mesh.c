@@ -22,8 +22,6 @@ static void repair(ktg_context *context, ktg_mesh *mesh) {
     fuzz_check_mesh(mesh);
     fuzz_must(context, ktg_mesh_check(context, mesh, true, &report));
     fuzz_expect(report.manifold && report.oriented, "a repaired mesh is no oriented manifold");
-    fuzz_expect(report.unstitched_edges == 0 || repair.seams_opened > 0,
-                "a repaired mesh has seams that would close");
     fuzz_expect(report.duplicate_faces == 0 && report.degenerate_faces == 0,
                 "a repaired mesh has double faces, or some without area");
     fuzz_must(context, ktg_mesh_repair(context, mesh, &repair));

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 typedef struct maker {
     fuzz_bytes *bytes;
@@ -11,10 +12,13 @@ typedef struct maker {
     unsigned vertices, style; /* style: which extras are written */
 } maker;
 
-enum { WITH_GROUPS = 1, WITH_MARKS = 2, WITH_UVS = 4, WITH_MATERIALS = 8 };
+enum { WITH_GROUPS = 1, WITH_MARKS = 2, WITH_UVS = 4, WITH_MATERIALS = 8, WITH_COLOURS = 48 };
 
 static void put_vertex(maker *m, int x, int y, int z) {
-    fprintf(m->file, "v %d %d %d\n", x, y, z);
+    fprintf(m->file, "v %d %d %d", x, y, z);
+    if ((m->style & WITH_COLOURS) == WITH_COLOURS)
+        fprintf(m->file, " %d.%d 0 1", x % 2, y % 10);
+    fputs("\n", m->file);
     m->vertices++;
 }
 
@@ -159,13 +163,21 @@ static void make_cells(maker *m) {
     }
 }
 
+/* m0 is red, m1 has an image that is not there. */
+static const char *materials(void) {
+    static const char text[] = "newmtl m0\nKd 1 0 0\nnewmtl m1\nKd 0.5 0.5 1\nmap_Kd none.png\n";
+    return fuzz_file("/model.mtl", text, strlen(text));
+}
+
 static const char *make(fuzz_bytes *bytes, bool flat) {
     const char *path = fuzz_path("/model.obj");
     unsigned kind = fuzz_byte(bytes);
-    maker m = {bytes, fopen(path, "w"), 0, kind / 4 % 16};
+    maker m = {bytes, fopen(path, "w"), 0, kind / 4};
     fuzz_expect(m.file != NULL, "the model cannot be written");
     if (m.style & WITH_UVS)
         fputs("vt 0 0\nvt 1 0\nvt 1 1\nvt 0.5 0.5\n", m.file);
+    if (m.style & WITH_MATERIALS)
+        fprintf(m.file, "mtllib %s\n", strrchr(materials(), '/') + 1);
     if (flat)
         make_sheet(&m, true);
     else if (kind % 4 == 0)

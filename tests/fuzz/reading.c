@@ -35,9 +35,7 @@ static void check_repair(ktg_context *context, ktg_mesh *mesh) {
     fuzz_check_mesh(mesh);
     fuzz_must(context, ktg_mesh_check(context, mesh, false, &report));
     fuzz_expect(report.manifold && report.oriented, "a repaired mesh is no oriented manifold");
-    fuzz_expect(report.duplicate_faces == 0 &&
-                    (report.unstitched_edges == 0 || repair.seams_opened > 0),
-                "a repaired mesh has double faces or open seams");
+    fuzz_expect(report.duplicate_faces == 0, "a repaired mesh has double faces");
     fuzz_must(context, ktg_mesh_repair(context, mesh, &repair));
     fuzz_expect(!repair.changed, "a repaired mesh is repaired again");
 }

@@ -176,6 +176,52 @@ static void a_slit_keeps_its_length(void **state) {
     ktg_mesh_free(&mesh);
 }
 
+/* Both halves show the same, one of them mirrored; no coordinate jumps. */
+static ktg_vec2 mirrored(ktg_vec3 p, ktg_vec3 centre) {
+    (void)centre;
+    return (ktg_vec2){fabs(p.x - 8), p.y};
+}
+
+static void the_line_between_mirrored_halves_stays(void **state) {
+    ktg_mesh *mesh = plate(state, 16);
+    set_uvs(mesh, mirrored);
+    assert_int_equal(simplify(state, mesh, 8).faces_without_uv, 0);
+    assert_in_range(mesh->face_count, 4, 8);
+    for (uint32_t h = 0; h < 3 * mesh->face_count; h++) {
+        ktg_vec3 p = mesh->positions[mesh->faces[h]];
+        assert_true((centre_of(mesh, h / 3).x - 8) * (p.x - 8) >= 0);
+        assert_float_equal(uv_of(mesh, h).x, fabs(p.x - 8), 1e-9);
+    }
+    ktg_mesh_free(&mesh);
+}
+
+/* Two small charts in a large one, at (4, 4) and (12, 4). */
+static ktg_vec2 specks(ktg_vec3 p, ktg_vec3 centre) {
+    bool speck = centre.y > 4 && centre.y < 5 && fabs(fabs(centre.x - 8.5) - 4) < 0.5;
+    return (ktg_vec2){p.x + (speck ? 100 + centre.x : 0), p.y};
+}
+
+static void charts_too_small_to_cut_out_are_given_up(void **state) {
+    ktg_mesh *mesh = plate(state, 16);
+    set_uvs(mesh, specks);
+    ktg_simplify_report report = simplify(state, mesh, 32);
+    assert_true(report.target_reached);
+    assert_in_range(report.faces_without_uv, 1, 16);
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        ktg_vec3 n = {0, 0, 0};
+        for (uint32_t k = 0; k < 3; k++)
+            n = ktg_add3(n, ktg_cross3(mesh->positions[mesh->faces[3 * f + k]],
+                                       mesh->positions[mesh->faces[3 * f + (k + 1) % 3]]));
+        assert_true(n.z / 2 > 1); /* none as small as half a speck */
+        for (uint32_t k = 0; k < 3 && has_uv(mesh, f); k++) {
+            ktg_vec3 p = mesh->positions[mesh->faces[3 * f + k]];
+            assert_float_equal(uv_of(mesh, 3 * f + k).x, p.x, 1e-9);
+            assert_float_equal(uv_of(mesh, 3 * f + k).y, p.y, 1e-9);
+        }
+    }
+    ktg_mesh_free(&mesh);
+}
+
 /* ---- round things --------------------------------------------------------------------------- */
 
 /* A sphere as a cube blown up: six sides of n x n quadrangles. */
@@ -295,6 +341,10 @@ static void the_poles_of_a_globe_do_not_hold_up_the_rest(void **state) {
     builder *b = build();
     add_sphere(b, 0, 0, 0, 1, 0, 40, 80);
     ktg_mesh *mesh = finish(state, b);
+    ktg_mesh *before, *plain;
+    OK(ktg_mesh_copy(context_of(state), mesh, &before));
+    OK(ktg_mesh_copy(context_of(state), mesh, &plain));
+    OK(ktg_mesh_simplify(context_of(state), plain, 200, NULL));
     set_uvs(mesh, globe);
     ktg_simplify_report report = simplify(state, mesh, 200);
     assert_true(report.target_reached);
@@ -305,7 +355,13 @@ static void the_poles_of_a_globe_do_not_hold_up_the_rest(void **state) {
         area += uv_area(mesh, f);
     }
     assert_true(area > 3.5 && area < 4.01); /* of 2 x 2, without what the poles' faces leave out */
+    double painted_far, plain_far;
+    OK(ktg_mesh_hausdorff(context_of(state), mesh, before, 0.02, &painted_far));
+    OK(ktg_mesh_hausdorff(context_of(state), plain, before, 0.02, &plain_far));
+    assert_true(painted_far < 1.5 * plain_far);
     ktg_mesh_free(&mesh);
+    ktg_mesh_free(&before);
+    ktg_mesh_free(&plain);
 }
 
 /* ---- more seams than faces ------------------------------------------------------------------ */
@@ -382,6 +438,8 @@ int main(void) {
         cmocka_unit_test(charts_may_be_points),
         cmocka_unit_test(faces_without_texture_stay_apart),
         cmocka_unit_test(a_slit_keeps_its_length),
+        cmocka_unit_test(the_line_between_mirrored_halves_stays),
+        cmocka_unit_test(charts_too_small_to_cut_out_are_given_up),
         cmocka_unit_test(six_charts_of_a_ball_stay_in_place),
         cmocka_unit_test(the_poles_of_a_globe_do_not_hold_up_the_rest),
         cmocka_unit_test(the_target_outweighs_thousands_of_charts),

@@ -1,7 +1,7 @@
 /* What a model looks like: materials, images, colours of its own; and on what it was simplified to.
  */
 #include "folder.h"
-#include "paint/paint.h"
+#include "paint/look.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include <cmocka.h>
 
@@ -128,6 +129,38 @@ static void names_may_have_blanks_and_several_files(void **state) {
     leave(&s);
 }
 
+/* The third one finds too little room left. */
+static void many_large_images_come_in_smaller(void **state) {
+    folder *f = *state;
+    enum { SIDE = 8192 };
+    uint8_t *grey = malloc((size_t)3 * SIDE * SIDE);
+    char mtl[256];
+    assert_non_null(grey);
+    memset(grey, 0x55, (size_t)3 * SIDE * SIDE);
+    folder_write_png(f, "grey.png", grey, SIDE, SIDE);
+    free(grey);
+    for (int i = 1; i < 3; i++) {
+        char name[16];
+        snprintf(name, sizeof name, "grey%d.png", i);
+        assert_int_equal(link(folder_file(f, "grey.png"), folder_file(f, name)), 0);
+    }
+    snprintf(mtl, sizeof mtl,
+             "newmtl a\nmap_Kd grey.png\nnewmtl b\nmap_Kd grey1.png\nnewmtl c\nmap_Kd ./grey2.png\n"
+             "newmtl d\nmap_Kd ./grey.png\n");
+    folder_write_text(f, "a.mtl", mtl);
+    scene s = look(f,
+                   "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+                   "usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 2/2 3/3\n"
+                   "usemtl c\nf 1/1 2/2 3/3\nusemtl d\nf 1/1 2/2 3/3\n",
+                   NULL);
+    assert_int_equal(s.report.images, 3); /* two names of one file are one image */
+    assert_int_equal(s.paint->images[1]->levels[0].width, SIDE);
+    assert_int_equal(s.paint->images[2]->levels[0].width, 1024);
+    for (uint32_t face = 0; face < 4; face++)
+        expect(f, &s, face, 0.3, 0.3, 0.4, 0x555555);
+    leave(&s);
+}
+
 static void a_missing_image_leaves_the_materials_colour(void **state) {
     folder *f = *state;
     folder_write_text(f, "a.mtl", "newmtl skin\nKd 0.2 0.4 0.6\nmap_Kd gone.png\n");
@@ -238,6 +271,8 @@ int main(void) {
                                         folder_end),
         cmocka_unit_test_setup_teardown(options_of_an_image_move_it, folder_begin, folder_end),
         cmocka_unit_test_setup_teardown(names_may_have_blanks_and_several_files, folder_begin,
+                                        folder_end),
+        cmocka_unit_test_setup_teardown(many_large_images_come_in_smaller, folder_begin,
                                         folder_end),
         cmocka_unit_test_setup_teardown(a_missing_image_leaves_the_materials_colour, folder_begin,
                                         folder_end),

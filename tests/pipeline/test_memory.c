@@ -86,6 +86,30 @@ static void a_model_that_is_changed_first_needs_its_memory(void **state) {
     starve(b);
 }
 
+/* The model is simplified, so that the closest points are asked for colours. */
+static void a_painted_net_needs_its_memory(void **state) {
+    bench *b = *state;
+    bench_write(b, "cube.obj",
+                "mtllib cube.mtl\n"
+                "v 0 0 0 1 0 0\nv 2 0 0 0 1 0\nv 2 2 0 0 0 1\nv 0 2 0 1 1 0\n"
+                "v 0 0 2 1 0 1\nv 2 0 2 0 1 1\nv 2 2 2 1 1 1\nv 0 2 2 0 0 0\nv 1 1 2 1 0 0\n"
+                "usemtl red\nf 4 3 2 1\nf 1 2 6 5\nf 2 3 7 6\nusemtl blue\nf 3 4 8 7\n"
+                "f 4 1 5 8\nf 5 6 9\nf 6 7 9\nf 7 8 9\nf 8 5 9\n");
+    bench_write(b, "cube.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n");
+    strcpy(b->model, bench_path(b, "cube.obj"));
+    b->options.model = b->model;
+    b->options.faces = 12;
+    b->options.unfold.seconds = 0.001;
+    b->options.size_rule = KTG_SIZE_HEIGHT;
+    b->options.size_mm = 10;
+    assert_int_equal(ktg_sheet_parse(b->context, "60x60", &b->options.layout.sheet), KTG_OK);
+    bench_output(b, "net.pdf");
+    bench_output(b, "net.svg");
+    bench_output(b, "net.png");
+    b->options.render.dots_per_inch = 20;
+    starve(b);
+}
+
 static void a_poster_needs_its_memory(void **state) {
     bench *b = *state;
     bench_sample(b, "star.obj");
@@ -150,6 +174,8 @@ int main(void) {
         cmocka_unit_test_setup_teardown(a_net_with_a_hand_on_its_seams_needs_its_memory,
                                         bench_setup, bench_teardown),
         cmocka_unit_test_setup_teardown(a_model_that_is_changed_first_needs_its_memory, bench_setup,
+                                        bench_teardown),
+        cmocka_unit_test_setup_teardown(a_painted_net_needs_its_memory, bench_setup,
                                         bench_teardown),
         cmocka_unit_test_setup_teardown(a_poster_needs_its_memory, bench_setup, bench_teardown),
         cmocka_unit_test_setup_teardown(one_page_and_many_sheets_need_their_memory, bench_setup,

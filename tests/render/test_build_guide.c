@@ -184,6 +184,21 @@ static void a_page_too_small_for_a_row_has_one_anyway(void **state) {
     ktg_pattern_free(&pattern);
 }
 
+/* Two seams that meet: the first begins at its other end, the second at either. */
+static void a_seam_begins_where_all_else_is_closed(void **state) {
+    ktg_pattern *pattern = make_rings(*state, 2);
+    ktg_drawing *drawing;
+    ktg_build_guide *guide;
+    pattern->edges[5].vertices[0] = pattern->edges[2].vertices[0];
+    assert_int_equal(ktg_drawing_new(*state, pattern, NULL, &drawing), KTG_OK);
+    assert_int_equal(ktg_build_guide_new(drawing, &guide), KTG_OK);
+    assert_int_equal(guide->starts[0], pattern->edges[2].vertices[1]);
+    assert_int_equal(guide->starts[1], KTG_NONE);
+    ktg_build_guide_free(&guide);
+    ktg_drawing_free(&drawing);
+    ktg_pattern_free(&pattern);
+}
+
 /* Of a pattern that says nothing about steps, as older files do, the model is shown. */
 static void without_sections_there_is_the_model(void **state) {
     ktg_pattern *pattern = make_rings(*state, 2);
@@ -207,6 +222,7 @@ int main(void) {
         cmocka_unit_test(tiny_and_huge_sheets_have_a_guide_on_a4),
         cmocka_unit_test(steps_show_their_seams),
         cmocka_unit_test(a_page_too_small_for_a_row_has_one_anyway),
+        cmocka_unit_test(a_seam_begins_where_all_else_is_closed),
         cmocka_unit_test(without_sections_there_is_the_model),
     };
     return cmocka_run_group_tests(tests, make_context, drop_context);

@@ -60,7 +60,6 @@ static void a_pdf_has_a_page_per_sheet(void **state) {
     char *bytes;
     size_t size;
     ktg_render_defaults(&options);
-    options.guide = false;
     assert_int_equal(render_bytes(context, pattern, "pdf", 0, &options, &bytes, &size), KTG_OK);
     assert_memory_equal(bytes, "%PDF-", 5);
     assert_int_equal(count_pages(bytes, size), 2);
@@ -239,7 +238,6 @@ static void any_title_will_do(void **state) {
     ktg_context *context = *state;
     ktg_render_options options;
     ktg_render_defaults(&options);
-    options.guide = false;
     ktg_pattern *pattern = two_on_a4(context);
     char *bytes, *endless = malloc(100001);
     size_t size;

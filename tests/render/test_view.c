@@ -138,8 +138,14 @@ static void an_edge_shows_where_one_of_its_faces_does(void **state) {
     ktg_view_drop(&view);
 }
 
-static uint32_t by_weight(const void *user, uint32_t face, const double weights[3]) {
-    assert_int_equal(face, 0);
+static uint32_t by_weight(const void *user, const ktg_seen_dot *dot) {
+    const double *weights = dot->weights;
+    assert_int_equal(dot->face, 0);
+    assert_false(dot->is_inside);
+    for (int k = 0; k < 3; k++) { /* two dots of the view are 0.2, a fiftieth of the sides */
+        static const double right[] = {-0.02, 0.02, 0}, down[] = {0.02, 0, -0.02};
+        assert_true(fabs(dot->right[k] - right[k]) < 1e-9 && fabs(dot->down[k] - down[k]) < 1e-9);
+    }
     assert_true(fabs(weights[0] + weights[1] + weights[2] - 1) < 1e-9);
     (void)user;
     uint32_t most = weights[0] > 0.6 ? 0 : weights[1] > 0.6 ? 1 : weights[2] > 0.6 ? 2 : 3;

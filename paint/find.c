@@ -1,4 +1,4 @@
-/* paint/place.c - finding the files that a model's files name, without leaving the model's folder.
+/* paint/find.c - finding the files that a model's files name, without leaving the model's folder.
  */
 #include "paint/material.h"
 
@@ -27,7 +27,7 @@ static char *joined(ktg_context *context, const char *from, const char *name) {
 }
 
 /* True when `path` lies in the model's folder or below it, whatever links lead there. */
-static bool is_inside(const ktg_place *place, const char *path) {
+static bool is_inside(const ktg_paint_root *place, const char *path) {
     char file[PATH_MAX], folder[PATH_MAX], model[PATH_MAX];
     size_t length = folder_length(place->model);
     if (length >= sizeof folder)
@@ -41,7 +41,7 @@ static bool is_inside(const ktg_place *place, const char *path) {
 }
 
 /* NULL when the file may be read, else why not. */
-static const char *refusal(const ktg_place *place, const char *path) {
+static const char *refusal(const ktg_paint_root *place, const char *path) {
     struct stat about;
     if (stat(path, &about) != 0)
         return "is not there";
@@ -54,7 +54,7 @@ static const char *refusal(const ktg_place *place, const char *path) {
 
 /* Tries one way to read the name; a file that is there but refused is told of rather than one that
  * is not there. */
-static ktg_status try_name(ktg_context *context, const ktg_place *place, const char *from,
+static ktg_status try_name(ktg_context *context, const ktg_paint_root *place, const char *from,
                            const char *name, char **path, const char **why) {
     if (*path || !*name)
         return KTG_OK;
@@ -63,8 +63,10 @@ static ktg_status try_name(ktg_context *context, const ktg_place *place, const c
         return KTG_MEMORY;
     const char *refused = refusal(place, tried);
     if (!refused) {
-        *path = tried;
-        return KTG_OK;
+        char real[PATH_MAX];
+        *path = ktg_copy_text(context, realpath(tried, real) ? real : tried, SIZE_MAX);
+        ktg_free(tried);
+        return *path ? KTG_OK : KTG_MEMORY;
     }
     if (!*why || strcmp(*why, "is not there") == 0)
         *why = refused;
@@ -72,8 +74,8 @@ static ktg_status try_name(ktg_context *context, const ktg_place *place, const c
     return KTG_OK;
 }
 
-ktg_status ktg_place_find(ktg_context *context, const ktg_place *place, const char *from,
-                          const char *name, char **path, const char **why) {
+ktg_status ktg_paint_find_file(ktg_context *context, const ktg_paint_root *place, const char *from,
+                               const char *name, char **path, const char **why) {
     *path = NULL;
     *why = NULL;
     char *slashed = ktg_copy_text(context, name, SIZE_MAX);
