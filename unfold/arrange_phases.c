@@ -93,7 +93,8 @@ static ktg_status tidy(ktg_context *context, ktg_annealing *s, int power) {
 
 static void tell(ktg_context *context, ktg_annealing *s) {
     char detail[96];
-    double part = (double)(s->work_before + s->work) / (double)s->goal->work;
+    /* the last step may take more than was left */
+    double part = fmin(1, (double)(s->work_before + s->work) / (double)s->goal->work);
     if (s->soft)
         snprintf(detail, sizeof detail, "finding a shape for the sheet, %u overlaps", s->conflicts);
     else if (s->tabs)

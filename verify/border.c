@@ -185,15 +185,20 @@ static void check_label(ktg_check *check, const ktg_pattern_label *label, ktg_ve
                           id + 1);
 }
 
+static void extend(const ktg_vec2 *points, size_t count, ktg_vec2 *low, ktg_vec2 *high) {
+    for (size_t k = 0; k < count; k++) {
+        *low = (ktg_vec2){fmin(low->x, points[k].x), fmin(low->y, points[k].y)};
+        *high = (ktg_vec2){fmax(high->x, points[k].x), fmax(high->y, points[k].y)};
+    }
+}
+
+/* The name of a tiny piece of cloth may stand in its allowance, which is much larger. */
 void ktg_check_labels(ktg_check *check) {
     for (uint32_t i = 0; i < check->pattern->piece_count; i++) {
         const ktg_pattern_piece *piece = &check->pattern->pieces[i];
         ktg_vec2 low = piece->vertices[0], high = low;
-        for (size_t k = 0; k < piece->vertex_count; k++) {
-            ktg_vec2 v = piece->vertices[k];
-            low = (ktg_vec2){fmin(low.x, v.x), fmin(low.y, v.y)};
-            high = (ktg_vec2){fmax(high.x, v.x), fmax(high.y, v.y)};
-        }
+        extend(piece->vertices, piece->vertex_count, &low, &high);
+        extend(piece->outline, piece->outline_count, &low, &high);
         for (size_t k = 0; k < piece->label_count; k++)
             check_label(check, &piece->labels[k], low, high, i);
     }

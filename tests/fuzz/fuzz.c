@@ -51,7 +51,7 @@ bool fuzz_succeeded(ktg_context *context, ktg_status status) {
         return true;
     if (status == KTG_INTERNAL || status == KTG_UNSOUND || status == KTG_MEMORY)
         fuzz_must(context, status);
-    fuzz_expect(*message && !strchr(message, '\n'), "a refusal says nothing, or several lines");
+    fuzz_expect(*message, "a refusal says nothing");
     return false;
 }
 

@@ -33,8 +33,8 @@ void fuzz_expect(bool good, const char *sentence);
 /* A context whose callbacks look at what they are given. */
 ktg_context *fuzz_context(void);
 
-/* A call may succeed or refuse its input; it must not find a defect of the library, and a refusal
- * must be a sentence on one line. True where it succeeded. */
+/* A call may succeed or refuse its input, with a reason; it must not find a defect of the library.
+ * True where it succeeded. */
 bool fuzz_succeeded(ktg_context *context, ktg_status status);
 
 /* The same of a call that has no reason to refuse. */
