@@ -11,12 +11,17 @@ enum { few_faces = 64 };
 
 /* ---- one panel ----------------------------------------------------------------------------- */
 
-/* Sets in the surface's flags what is set in the panel's. */
-static void carry(ktg_search *s, const ktg_cut_panel *part, const ktg_sheet *sheet,
+/* Sets in the surface's flags what is set in the panel's. False when all was set before. */
+static bool carry(ktg_search *s, const ktg_cut_panel *part, const ktg_sheet *sheet,
                   const bool *cut) {
+    bool any = false;
     for (uint32_t h = 0; h < sheet->adjacency->halfedge_count; h++)
-        if (cut[sheet->adjacency->halfedge_edge[h]] && sheet->adjacency->twin[h] != KTG_NONE)
-            s->cut[s->adjacency->halfedge_edge[3 * part->face[h / 3] + h % 3]] = true;
+        if (cut[sheet->adjacency->halfedge_edge[h]] && sheet->adjacency->twin[h] != KTG_NONE) {
+            bool *flag = &s->cut[s->adjacency->halfedge_edge[3 * part->face[h / 3] + h % 3]];
+            any |= !*flag;
+            *flag = true;
+        }
+    return any;
 }
 
 static void set_done(ktg_search *s, const ktg_cut_panel *part) {
@@ -58,6 +63,18 @@ static ktg_status find_cut(ktg_context *context, ktg_search *s, const ktg_cut_su
     return try_ways(context, s, sheet, cut);
 }
 
+/* Cuts the panel, or says that it is done. A slit of one edge within it opens nothing, so that the
+ * same would be found again: then it is opened as a whole, if it is no disk. */
+static ktg_status apply(ktg_context *context, ktg_search *s, const ktg_cut_panel *part,
+                        const ktg_sheet *sheet, bool *cut) {
+    if (carry(s, part, sheet, cut))
+        return KTG_OK;
+    KTG_TRY(ktg_sheet_open(context, sheet->mesh, sheet->adjacency, cut));
+    if (!carry(s, part, sheet, cut))
+        set_done(s, part);
+    return KTG_OK;
+}
+
 static ktg_status refine_panel(ktg_context *context, ktg_search *s, const ktg_cut_surface *parts,
                                uint32_t index) {
     const ktg_cut_panel *part = &parts->panels[index];
@@ -66,7 +83,7 @@ static ktg_status refine_panel(ktg_context *context, ktg_search *s, const ktg_cu
     bool *cut = ktg_new(context, sheet->edge_count, bool);
     ktg_status status = cut ? find_cut(context, s, parts, index, sheet, cut) : KTG_MEMORY;
     if (status == KTG_OK && ktg_any(cut, sheet->edge_count))
-        carry(s, part, sheet, cut);
+        status = apply(context, s, part, sheet, cut);
     else if (status == KTG_OK)
         set_done(s, part);
     ktg_free(cut);

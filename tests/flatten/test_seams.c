@@ -129,6 +129,22 @@ static void given_seams_stay(void **state) {
     garment_drop(&g);
 }
 
+/* The search liked a slit of one edge, which opens nothing, and so liked it for ever. */
+static void a_slit_of_one_edge_does_not_keep_the_search_busy(void **state) {
+    static const double positions[] = {1.65,  19.65, 3.9,  1.65, 20.75, 3.765, -1.65, 20.75, 3.5,
+                                       -1.65, 19.65, 3.76, 1.65, 19.65, 3.5,   -1.65, 20.75, 3.9};
+    static const uint32_t faces[] = {4, 1, 0, 4, 2, 1, 3, 2, 4, 1, 2, 5,
+                                     3, 4, 0, 1, 3, 0, 5, 2, 3, 5, 3, 1};
+    ktg_mesh *mesh;
+    ktg_seams_report report;
+    assert_int_equal(ktg_mesh_new(*state, positions, 6, faces, 8, &mesh), KTG_OK);
+    garment g = garment_new(*state, mesh);
+    assert_int_equal(ktg_seams_auto(*state, g.mesh, g.adjacency, NULL, g.cut, &report), KTG_OK);
+    assert_false(report.exhausted);
+    assert_int_equal(report.panels_beyond, 0);
+    garment_drop(&g);
+}
+
 static void threads_change_nothing(void **state) {
     garment one = garment_new(*state, grid_panel(*state, hemisphere, 12));
     garment three = garment_new(*state, grid_panel(*state, hemisphere, 12));
@@ -237,6 +253,7 @@ int main(void) {
         TEST(a_bump_gets_a_dart_or_two),
         TEST(what_is_symmetric_is_cut_alike_on_both_sides),
         TEST(given_seams_stay),
+        TEST(a_slit_of_one_edge_does_not_keep_the_search_busy),
         TEST(threads_change_nothing),
         TEST(a_zigzag_is_slid_straight),
         TEST(the_caller_may_stop_it_or_have_it_finish),

@@ -86,13 +86,13 @@ static void make_folder(void) {
     atexit(remove_folder);
 }
 
-/* The last eight paths stay valid. */
+/* The last sixteen paths stay valid. */
 const char *fuzz_path(const char *name) {
-    static char paths[8][512];
+    static char paths[16][512];
     static unsigned next;
     if (!*folder)
         make_folder();
-    char *path = paths[next++ % 8];
+    char *path = paths[next++ % 16];
     snprintf(path, sizeof paths[0], "%s%s", folder, name);
     return path;
 }
