@@ -71,7 +71,7 @@ static void weights_at(const ktg_laid_face *laid, ktg_vec2 at, double weights[3]
         weights[k] = laid->at[k] + at.x * laid->right[k] + at.y * laid->down[k];
 }
 
-static ktg_status colour_dot(ktg_context *context, const ktg_paint *paint,
+static ktg_status colour_dot(ktg_context *context, const ktg_drawing *drawing,
                              const ktg_laid_face *laid, ktg_vec2 at, uint32_t *near,
                              uint32_t *dot) {
     ktg_paint_dot asked = {.face = laid->face, .near = *near};
@@ -81,9 +81,9 @@ static ktg_status colour_dot(ktg_context *context, const ktg_paint *paint,
     weights_at(laid, at, asked.weights);
     if (asked.weights[0] < 0 || asked.weights[1] < 0 || asked.weights[2] < 0)
         weights_at(laid, nearest_in(laid->corners, at), asked.weights);
-    KTG_TRY(ktg_paint_colour(context, paint, &asked, rgb));
+    KTG_TRY(ktg_paint_colour(context, drawing->options.paint, &asked, rgb));
     *near = asked.near;
-    *dot = (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2];
+    *dot = ktg_drawing_colour(drawing, (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2]);
     return KTG_OK;
 }
 
@@ -97,9 +97,8 @@ static ktg_status colour_band(ktg_context *context, uint32_t band, void *user) {
         for (uint32_t x = 0; x < colours->width; x++) {
             size_t at = (size_t)y * colours->width + x;
             if (plan->owners[at] != KTG_NONE)
-                KTG_TRY(colour_dot(context, plan->drawing->options.paint,
-                                   &plan->faces[plan->owners[at]], (ktg_vec2){x + 0.5, y + 0.5},
-                                   &near, &colours->dots[at]));
+                KTG_TRY(colour_dot(context, plan->drawing, &plan->faces[plan->owners[at]],
+                                   (ktg_vec2){x + 0.5, y + 0.5}, &near, &colours->dots[at]));
         }
     return KTG_OK;
 }

@@ -301,6 +301,19 @@ def no_texture_leaves_faces_white(bench):
     assert grey_only(bench.net()[0])
 
 
+def black_and_white_has_greys_of_the_image(bench):
+    bench.cube()
+    bench.run('cube.obj', '--height', '4cm', '--black')
+    page, pattern = bench.net()
+    assert all(max(page.dots[i:i + 3]) - min(page.dots[i:i + 3]) < 12 for i in range(0, len(page.dots), 3))
+
+    def grey(point, normal):
+        r, g, b = colour_of_cube(point, normal)
+        return (0.2126 * r + 0.7152 * g + 0.0722 * b,) * 3
+    wrong = compare_faces(page, pattern, grey, 20, 40)
+    assert wrong < 0.03, wrong
+
+
 def a_missing_image_is_a_warning_with_its_path(bench):
     write_cube(bench.here, 'pictures/gone.png')
     said = bench.run('cube.obj', '--texture')
@@ -373,7 +386,7 @@ def main():
         an_image_comes_to_its_place_the_right_way_round, colours_reach_beyond_the_cuts_and_not_further,
         nothing_from_beyond_an_islands_edge_is_mixed_in, a_simplified_model_keeps_its_colours,
         colours_are_the_same_for_any_number_of_threads, a_poster_has_its_colours_on_every_sheet,
-        an_svg_has_the_same_picture, no_texture_leaves_faces_white, a_missing_image_is_a_warning_with_its_path,
+        an_svg_has_the_same_picture, black_and_white_has_greys_of_the_image, no_texture_leaves_faces_white, a_missing_image_is_a_warning_with_its_path,
         a_missing_material_file_is_a_warning, images_outside_the_models_folder_are_refused_unless_asked_for,
         paths_of_other_machines_are_found_beside_the_model, one_colour_all_over_is_left_to_the_paper,
         damaged_images_cannot_break_it]
