@@ -131,6 +131,8 @@ static void whether_it_can_be_written_is_known_before(void **state) {
     memset(path, 'x', 5999);
     assert_int_equal(ktg_output_check(d->context, path), KTG_FILE);
     assert_non_null(strstr(ktg_context_message(d->context), "File name too long"));
+    assert_true(ktg_target_same(path, path));
+    assert_false(ktg_target_same(path, path + 1));
     free(path);
     assert_int_equal(count_files(d), 0);
 }

@@ -1,5 +1,5 @@
 /* Surfaces side by side in a PNG. */
-#include "render/render.h"
+#include "render/draw.h"
 
 #include <cairo.h>
 #include <math.h>
@@ -8,6 +8,7 @@
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 #include <cmocka.h>
@@ -98,11 +99,46 @@ static void what_cannot_be_drawn_is_refused(void **state) {
     ktg_output_discard(&output);
 }
 
+/* What cairo says, and how it is told. */
+static void cairos_failures_become_ours(void **state) {
+    static const struct {
+        cairo_status_t cairo;
+        ktg_status status;
+        const char *words;
+    } failures[] = {
+        {CAIRO_STATUS_NO_MEMORY, KTG_MEMORY, "out of memory while drawing the sheet"},
+        {CAIRO_STATUS_INVALID_SIZE, KTG_LIMIT, "the sheet would be too large"},
+        {CAIRO_STATUS_SURFACE_FINISHED, KTG_INTERNAL, "drawing the sheet failed: "},
+    };
+    ktg_sink sink = {*state, NULL, KTG_OK};
+    assert_int_equal(ktg_cairo_status(*state, &sink, CAIRO_STATUS_SUCCESS, "it"), KTG_OK);
+    for (size_t i = 0; i < sizeof failures / sizeof *failures; i++) {
+        assert_int_equal(ktg_cairo_status(*state, NULL, failures[i].cairo, "the sheet"),
+                         failures[i].status);
+        assert_non_null(strstr(ktg_context_message(*state), failures[i].words));
+    }
+}
+
+static void a_full_disk_is_told_by_what_was_written_to(void **state) {
+    ktg_output *output = NULL;
+    unsigned char bytes[100000] = {0};
+    assert_int_equal(ktg_output_open(*state, "/dev/full", &output), KTG_OK);
+    ktg_sink sink = {*state, output, KTG_OK};
+    assert_int_equal(ktg_sink_write(&sink, bytes, sizeof bytes), CAIRO_STATUS_WRITE_ERROR);
+    assert_int_equal(ktg_sink_write(&sink, bytes, 1), CAIRO_STATUS_WRITE_ERROR);
+    assert_int_equal(ktg_cairo_status(*state, &sink, CAIRO_STATUS_WRITE_ERROR, "it"), KTG_FILE);
+    assert_non_null(strstr(ktg_context_message(*state), "/dev/full: cannot be written: No space"));
+    ktg_output_discard(&output);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(both_are_drawn_at_one_scale, make_context, drop_context),
         cmocka_unit_test_setup_teardown(faces_have_their_tints, make_context, drop_context),
         cmocka_unit_test_setup_teardown(what_cannot_be_drawn_is_refused, make_context,
+                                        drop_context),
+        cmocka_unit_test_setup_teardown(cairos_failures_become_ours, make_context, drop_context),
+        cmocka_unit_test_setup_teardown(a_full_disk_is_told_by_what_was_written_to, make_context,
                                         drop_context),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
