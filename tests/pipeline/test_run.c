@@ -6,6 +6,7 @@
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -212,6 +213,50 @@ static void cloth_goes_the_same_way(void **state) {
     ktg_pattern_free(&p);
 }
 
+static void keep_warning(void *user, ktg_log_level level, const char *text) {
+    if (level == KTG_LOG_WARNING)
+        snprintf(user, 256, "%s", text);
+}
+
+/* Cloth stays white unless somebody asks; its triangles are its own, so the model's are asked. */
+static void cloth_has_colours_when_they_are_asked_for(void **state) {
+    bench *b = *state;
+    ktg_pipeline_report r;
+    bench_write(b, "flag.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n");
+    bench_write(b, "flag.obj",
+                "mtllib flag.mtl\nv 0 0 0\nv 9 0 0\nv 9 9 1\nv 0 9 0\n"
+                "usemtl red\nf 1 2 3\nusemtl blue\nf 1 3 4\n");
+    strcpy(b->model, bench_path(b, "flag.obj"));
+    b->options.model = b->model;
+    b->options.mode = KTG_CLOTH;
+    b->options.faces = KTG_ALL_FACES;
+    b->options.size_rule = KTG_SIZE_FACTOR;
+    b->options.size_mm = 10;
+    bench_output(b, "flag.svg");
+    bench_run(b, &r);
+    size_t white, coloured;
+    free(bench_read(b, "flag.svg", &white));
+    b->options.colours = KTG_COLOURS_ON;
+    bench_run(b, &r);
+    char *text = bench_read(b, "flag.svg", &coloured);
+    assert_non_null(strstr(text, "id=\"colours\""));
+    assert_int_equal(r.paint.colours, 2);
+    assert_true(coloured > white);
+    free(text);
+}
+
+static void a_wish_for_colours_that_are_not_there_is_answered(void **state) {
+    bench *b = *state;
+    char warning[256] = "";
+    bench_sample(b, "geodesic.obj");
+    bench_output(b, "net.json");
+    b->options.colours = KTG_COLOURS_ON;
+    ktg_context_set_log(b->context, keep_warning, warning);
+    bench_run(b, NULL);
+    ktg_context_set_log(b->context, NULL, NULL);
+    assert_non_null(strstr(warning, "no colours"));
+}
+
 static void options_that_make_no_sense_are_refused_before_the_work(void **state) {
     bench *b = *state;
     static const double sizes[] = {0, -1, NAN, INFINITY};
@@ -249,6 +294,10 @@ int main(void) {
         cmocka_unit_test_setup_teardown(a_large_model_is_simplified_and_says_so, bench_setup,
                                         bench_teardown),
         cmocka_unit_test_setup_teardown(cloth_goes_the_same_way, bench_setup, bench_teardown),
+        cmocka_unit_test_setup_teardown(cloth_has_colours_when_they_are_asked_for, bench_setup,
+                                        bench_teardown),
+        cmocka_unit_test_setup_teardown(a_wish_for_colours_that_are_not_there_is_answered,
+                                        bench_setup, bench_teardown),
         cmocka_unit_test_setup_teardown(options_that_make_no_sense_are_refused_before_the_work,
                                         bench_setup, bench_teardown),
     };
