@@ -211,6 +211,7 @@ static void cloth_goes_the_same_way(void **state) {
     assert_int_equal(p->mode, KTG_CLOTH);
     bench_sound(b, p);
     ktg_pattern_free(&p);
+    ktg_pipeline_report_free(&r);
 }
 
 static void keep_warning(void *user, ktg_log_level level, const char *text) {
@@ -235,6 +236,7 @@ static void cloth_has_colours_when_they_are_asked_for(void **state) {
     bench_output(b, "flag.svg");
     bench_run(b, &r);
     size_t white, coloured;
+    ktg_pipeline_report_free(&r);
     free(bench_read(b, "flag.svg", &white));
     b->options.colours = KTG_COLOURS_ON;
     bench_run(b, &r);
@@ -242,6 +244,7 @@ static void cloth_has_colours_when_they_are_asked_for(void **state) {
     assert_non_null(strstr(text, "id=\"colours\""));
     assert_int_equal(r.paint.colours, 2);
     assert_true(coloured > white);
+    ktg_pipeline_report_free(&r);
     free(text);
 }
 
