@@ -25,6 +25,7 @@ RUNS = ["unfold {samples}/star.obj --effort quick -o net.pdf -o net.svg -o net.d
 
 def main():
     valgrind, program, samples, suppressions = sys.argv[1:]
+    program = str(pathlib.Path(program).resolve())
     words = [valgrind, "-q", "--leak-check=full", "--errors-for-leak-kinds=definite", "--show-leak-kinds=definite",
              "--error-exitcode=99", "--suppressions=" + suppressions, program]
     print("1..%d" % len(RUNS))
