@@ -32,14 +32,15 @@ typedef struct ktg_paint_report {
                                 points of the model */
 } ktg_paint_report;
 
-/* The look of `mesh`, which is copied: colours of vertices (and of faces), or the materials of its
- * MTL files: Kd, or the image map_Kd (PNG or JPEG; -s, -o and -clamp count; Kd does not tint it;
- * what is transparent is white). `model` is the path of the model's file: MTL files are looked for
- * from its folder, images from that of their MTL file; where a file is not at its place (an
- * absolute path of another machine), one of its name beside the MTL file is taken. Devices are
- * refused, and so is what lies outside the model's folder, unless `anywhere`. What cannot be read
- * is told as a warning, and its faces are printed in Kd, or stay white. *paint is NULL when the
- * model has no look but that of its paper. `options` NULL: the defaults; `report` may be NULL. */
+/* The look of `mesh`, which is copied: colours of vertices or faces, the image of a PLY
+ * (texture_file), or the materials of its MTL files: Kd, or the image map_Kd (PNG or JPEG; -s, -o
+ * and -clamp count; Kd does not tint it; what is transparent is white). `model` is the path of the
+ * model's file: MTL files are looked for from its folder, images from that of their MTL file; where
+ * a file is not at its place (an absolute path of another machine), one of its name beside the MTL
+ * file is taken. Devices are refused, and so is what lies outside the model's folder, unless
+ * `anywhere`. What cannot be read is told as a warning, and its faces are printed in Kd, or stay
+ * white. *paint is NULL when the model has no look but that of its paper. Free with ktg_paint_free.
+ * `options` NULL: the defaults; `report` may be NULL. KTG_MEMORY is all that fails. */
 KTG_API KTG_NODISCARD ktg_status ktg_paint_new(ktg_context *context, const ktg_mesh *mesh,
                                                const char *model, const ktg_paint_options *options,
                                                ktg_paint **paint, ktg_paint_report *report);
@@ -49,13 +50,14 @@ KTG_API void ktg_paint_free(ktg_paint **paint);
  * version of the model, or the model itself. Where a face still has what its colour comes from (a
  * material without an image, or texture coordinates) that is taken, elsewhere the colour of the
  * model's closest point, of those that face the same way where there are such. `mm_per_unit` tells
- * how large a dot of an image will be. */
+ * how large a dot of an image will be. The surface is copied; a look may be laid anew. KTG_MEMORY:
+ * then it is laid on nothing. */
 KTG_API KTG_NODISCARD ktg_status ktg_paint_lay(ktg_context *context, ktg_paint *paint,
                                                const ktg_mesh *surface, double mm_per_unit,
                                                ktg_paint_report *report);
 
 /* A dot of a picture: where it lies on a face, as weights of the corners (they sum to 1; beyond an
- * edge one is negative: then the nearest point in the face counts), and how the weights change from
+ * edge one is negative: it counts as 0, the others sum to 1), and how the weights change from
  * dot to dot. */
 typedef struct ktg_paint_dot {
     uint32_t face; /* of the surface */
@@ -64,7 +66,8 @@ typedef struct ktg_paint_dot {
                       it only saves time */
 } ktg_paint_dot;
 
-/* The colour of a dot, as sRGB bytes: a mean over what lies under it. */
+/* The colour of a dot, as sRGB bytes: a mean over what lies under it. KTG_ARGUMENT for a face that
+ * is not there. */
 KTG_API KTG_NODISCARD ktg_status ktg_paint_colour(ktg_context *context, const ktg_paint *paint,
                                                   ktg_paint_dot *dot, uint8_t rgb[3]);
 
@@ -74,7 +77,8 @@ KTG_API uint32_t ktg_paint_face_count(const ktg_paint *paint);
 KTG_API bool ktg_paint_is_picture(const ktg_paint *paint);
 
 /* A picture of width x height dots, 3 bytes each, rows from the top, as JPEG (quality 92, colours
- * at full resolution). *bytes is freed with ktg_free. */
+ * at full resolution). *bytes has *size bytes and is freed with ktg_free. KTG_ARGUMENT below 1 or
+ * above 65,500 dots a side, KTG_MEMORY. */
 KTG_API KTG_NODISCARD ktg_status ktg_paint_jpeg(ktg_context *context, const uint8_t *rgb,
                                                 uint32_t width, uint32_t height,
                                                 unsigned char **bytes, size_t *size);

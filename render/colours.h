@@ -6,6 +6,9 @@
 
 #include "render/draw.h"
 
+/* Of what is printed; printers have no more to show. */
+#define KTG_COLOUR_DOTS_PER_MM (300 / 25.4)
+
 struct ktg_colours {
     uint32_t width, height;
     double dots_per_mm;

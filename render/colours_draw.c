@@ -5,8 +5,6 @@
 
 #include <string.h>
 
-/* Of what is printed; printers have no more to show. */
-#define DOTS_PER_INCH 300.0
 /* Darker grounds get light ink (relative luminance, Rec. 709). */
 #define DARK 0.42
 /* How much of the ground shows through a fold's ink. */
@@ -71,7 +69,7 @@ static ktg_status draw(const ktg_page *page, bool is_image) {
 }
 
 ktg_status ktg_colours_begin(ktg_page *page) {
-    double dots = DOTS_PER_INCH / 25.4, right = 1, down = 0;
+    double dots = KTG_COLOUR_DOTS_PER_MM, right = 1, down = 0;
     cairo_surface_t *target = cairo_get_target(page->cairo);
     bool is_image = cairo_surface_get_type(target) == CAIRO_SURFACE_TYPE_IMAGE;
     cairo_user_to_device_distance(page->cairo, &right, &down);

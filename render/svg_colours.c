@@ -6,8 +6,6 @@
 
 #include <string.h>
 
-#define DOTS_PER_INCH 300.0
-
 /* Bytes on their way into the file, three at a time (RFC 4648, section 4). */
 typedef struct base64 {
     ktg_context *context;
@@ -87,7 +85,7 @@ ktg_status ktg_svg_put_colours(const ktg_plot *plot, double units, ktg_output *o
     ktg_context *context = drawing->context;
     ktg_colours *colours;
     cairo_surface_t *surface = NULL;
-    KTG_TRY(ktg_colours_make(drawing, plot->page.number, DOTS_PER_INCH / 25.4, &colours));
+    KTG_TRY(ktg_colours_make(drawing, plot->page.number, KTG_COLOUR_DOTS_PER_MM, &colours));
     if (!colours)
         return KTG_OK;
     ktg_status status = ktg_output_print(context, output,
