@@ -355,7 +355,7 @@ static bool set_effort(settings *s, const char *text) {
     static const char *const efforts[] = {"quick", "normal", "best", NULL};
     int effort = word_index(text, efforts);
     s->pipeline.unfold.effort = effort >= 0 ? (ktg_effort)effort : KTG_EFFORT_NORMAL;
-    s->pipeline.layout.effort = s->pipeline.unfold.effort;
+    s->pipeline.layout.effort = s->pipeline.flatten.effort = s->pipeline.unfold.effort;
     return effort >= 0;
 }
 
@@ -560,7 +560,7 @@ const option_line cli_option_lines[] = {
     {"method", 0, "auto|genetic", CMD_UNFOLD, false, set_method_unfold,
      "transplants, or the paper's genetic merging (auto)"},
     {"effort", 0, "quick|normal|best", PAPER, false, set_effort,
-     "work spent on a compact net and on nesting pieces (normal)"},
+     "work spent on a compact net, on where seams of cloth go and on nesting pieces (normal)"},
     {"ease", 0, "WEIGHT", CMD_UNFOLD, false, set_ease,
      "0 to 10: how much an easy assembly counts against size and tabs (0)"},
     {"method", 0, "arap|injective|two-step", CMD_FLATTEN, false, set_method_flatten,

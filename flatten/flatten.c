@@ -11,6 +11,7 @@ void ktg_flatten_defaults(ktg_flatten_options *options) {
     *options = (ktg_flatten_options){.method = KTG_FLATTEN_ARAP,
                                      .weight = KTG_WEIGHT_COTANGENT,
                                      .crease = 40 * KTG_PI / 180,
+                                     .effort = KTG_EFFORT_NORMAL,
                                      .match_seams = true,
                                      .strain_limit = 0.05,
                                      .up = 1};
@@ -30,6 +31,8 @@ void ktg_flatten_report_free(ktg_flatten_report *report) {
 }
 
 static ktg_status check_options(ktg_context *context, const ktg_flatten_options *options) {
+    if (options->effort > KTG_EFFORT_BEST)
+        return ktg_fail(context, KTG_ARGUMENT, "there is no such effort");
     if (options->method > KTG_FLATTEN_TWO_STEP || options->weight > KTG_WEIGHT_UNIT)
         return ktg_fail(context, KTG_ARGUMENT, "there is no such way to flatten");
     if (!(options->strain_limit >= 0))
@@ -66,6 +69,7 @@ static ktg_status flatten_once(ktg_context *context, ktg_flat_surface *surface,
     ktg_progress(context, "flatten", 0.95, "strain");
     KTG_TRY(ktg_check_cancel(context));
     KTG_TRY(ktg_flat_surface_judge(context, surface));
+    KTG_TRY(ktg_seams_check(context, surface));
     return ktg_flat_pattern(context, surface, pattern);
 }
 

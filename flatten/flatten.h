@@ -71,6 +71,8 @@ typedef struct ktg_flatten_options {
                                disk, or where a panel folds or lies on itself */
     double crease;          /* radians; default 40 degrees */
     unsigned up;            /* which axis of the model is upright: 0 x, 1 y (default), 2 z */
+    ktg_effort effort;      /* work on the choice of seams: quick a tenth of normal (default), best
+                               four times as much */
     bool match_seams;       /* both sides of a seam become equally long; default true */
     double strain_limit;    /* of the report's area_beyond_limit and of KTG_SEAMS_AUTO, without
                                fabric; default 0.05 */

@@ -13,6 +13,9 @@
 /* Twice as good as asked of the whole (0.5 % of a seam), edge by edge. */
 static const double tolerance = 0.002;
 
+/* What can still be sewn, of an edge or, where that is shorter, of this part of the model. */
+static const double bearable = 0.005, short_edge = 1e-5;
+
 /* Stiffness of the springs in the first round, and its growth. A cotangent weight is about 1. */
 static const double first_stiffness = 30, growth = 10;
 enum { most_rounds = 5 };
@@ -163,4 +166,24 @@ ktg_status ktg_seams_match(ktg_context *context, ktg_flat_surface *s) {
     ktg_free(worst);
     ktg_free(targets);
     return status;
+}
+
+ktg_status ktg_seams_check(ktg_context *context, const ktg_flat_surface *s) {
+    double extent;
+    KTG_TRY(ktg_mesh_check_extent(context, s->mesh, &extent));
+    bool unmatched = !s->options->match_seams || ktg_wants_finish(context);
+    for (uint32_t h = 0; h < s->adjacency->halfedge_count && !unmatched; h++) {
+        if (!is_sewn(s, h) || mismatch(s, h) <= tolerance)
+            continue;
+        double a = flat_length(s, h), b = flat_length(s, s->adjacency->twin[h]);
+        const uint32_t *corners = s->mesh->faces + h / 3 * 3;
+        ktg_vec3 at = s->mesh->positions[corners[h % 3]];
+        if (fabs(a - b) > bearable * fmax(fmax(a, b), short_edge * extent))
+            return ktg_fail(context, KTG_GEOMETRY,
+                            "laid flat, the seam at (%g, %g, %g) is %g long on one side and %g on "
+                            "the other, and cannot be sewn: faces there are too long and thin; "
+                            "remesh the model, or simplify it (--faces)",
+                            at.x, at.y, at.z, a, b);
+    }
+    return KTG_OK;
 }

@@ -4,7 +4,7 @@
 #include "flatten/search.h"
 
 /* Faces laid flat in trials, at most: as many, or as many times the faces of the surface. */
-static const uint64_t most_work = 2000000, most_work_times = 50;
+static const double most_work = 2e6, most_work_times = 50;
 
 /* A panel of so few faces is not halved any more when work has run out. */
 enum { few_faces = 64 };
@@ -30,8 +30,8 @@ static void set_done(ktg_search *s, const ktg_cut_panel *part) {
 }
 
 static bool may_go_on(ktg_search *s) {
-    uint64_t times = most_work_times * s->mesh.face_count;
-    bool more = s->limit.work < (times > most_work ? times : most_work);
+    double most = fmax(most_work, most_work_times * s->mesh.face_count);
+    bool more = (double)s->limit.work < s->budget * most;
     s->exhausted |= !more;
     return more;
 }

@@ -15,6 +15,7 @@ typedef struct ktg_seams_auto_options {
     unsigned up;       /* the axis of the model that is upright: 0 x, 1 y, 2 z; default 1 */
     double max_strain; /* that a panel may have on ... ; default 0.05 */
     double area_part;  /* ... this part of its area; default 0.95 */
+    ktg_effort effort; /* work on the search; quick a tenth of normal (default), best four times */
     bool symmetric;    /* look for a mirror plane, and cut both sides alike; default true */
     bool slide;        /* reckon with ktg_seams_slide being called then; default true */
 } ktg_seams_auto_options;
@@ -29,6 +30,7 @@ typedef struct ktg_seams_report {
     bool exhausted;           /* work ended at its bound, or the caller wanted to finish */
     double worst_area_beyond; /* of all panels the largest part of the area beyond max_strain */
     double seam_length;       /* given and added; in the model's unit */
+    uint64_t work;            /* faces laid flat in trials, each as often as it was */
     double seconds;
 } ktg_seams_report;
 

@@ -14,7 +14,10 @@
 /* Searches that begin differently are made while all together lay less than this flat; and faces
  * laid flat to see which seams are needed. */
 enum { attempts = 12 };
-static const uint64_t most_attempt_work = 2000000, most_revision_work = 2000000;
+static const double most_attempt_work = 2e6, most_revision_work = 2e6;
+
+/* How much of that, and of what cutting panels may take, by effort. */
+static const double budgets[] = {0.1, 1, 4};
 
 /* Of the area that may be beyond the limit, the part that the search makes use of, and the part
  * that smoothing does more: what comes after, sliding seams and making them equally long, strains a
@@ -34,7 +37,8 @@ static ktg_status revise(ktg_context *context, ktg_search *s) {
                              .plane = s->plane,
                              .mirror = &s->mirror,
                              .limit = &s->limit,
-                             .most_work = s->limit.work + most_revision_work};
+                             .most_work =
+                                 s->limit.work + (uint64_t)(s->budget * most_revision_work)};
     double searched = s->limit.area_part;
     KTG_TRY(ktg_seams_merge(context, &revision, s->cut));
     s->limit.area_part -= spare_smooth * (1 - s->options->area_part);
@@ -62,7 +66,8 @@ static ktg_status attempt(ktg_context *context, ktg_search *s, ktg_outcome *o) {
 static bool may_attempt(ktg_context *context, ktg_search *s, uint32_t made) {
     if (made == 0)
         return true;
-    return s->limit.work / made * (made + 1) < most_attempt_work && !ktg_wants_finish(context);
+    double expected = (double)s->limit.work / made * (made + 1);
+    return expected < s->budget * most_attempt_work && !ktg_wants_finish(context);
 }
 
 /* What a greedy search finds depends on its first step most of all: several are tried, with and
@@ -110,7 +115,8 @@ static ktg_status fill_report(ktg_context *context, ktg_search *s, double unit,
                                  .worst_area_beyond = its.worst,
                                  .slide = its.slid,
                                  .mirrored = s->mirror.found,
-                                 .exhausted = its.exhausted};
+                                 .exhausted = its.exhausted,
+                                 .work = s->limit.work};
     ktg_cut_surface_free(&parts);
     KTG_TRY(ktg_chains_find(context, s->sheet, s->cut, NULL, &chains));
     for (uint32_t c = 0; c < chains.count; c++)
@@ -149,8 +155,12 @@ static ktg_status run_search(ktg_context *context, const ktg_mesh *mesh, ktg_sea
 }
 
 void ktg_seams_auto_defaults(ktg_seams_auto_options *options) {
-    *options = (ktg_seams_auto_options){
-        .max_strain = 0.05, .area_part = 0.95, .symmetric = true, .slide = true, .up = 1};
+    *options = (ktg_seams_auto_options){.max_strain = 0.05,
+                                        .area_part = 0.95,
+                                        .effort = KTG_EFFORT_NORMAL,
+                                        .symmetric = true,
+                                        .slide = true,
+                                        .up = 1};
 }
 
 ktg_status ktg_seams_auto(ktg_context *context, const ktg_mesh *mesh,
@@ -165,6 +175,7 @@ ktg_status ktg_seams_auto(ktg_context *context, const ktg_mesh *mesh,
         return ktg_fail(context, KTG_ARGUMENT,
                         "a limit of strain for seams is more than 0, and the part of the area that "
                         "it is for more than 0 and at most 1");
+    s.budget = budgets[s.options->effort];
     s.limit = (ktg_fit_limit){
         .max_strain = s.options->max_strain, .fabric = s.options->fabric, .up = s.options->up};
     s.mesh.vertex_count = mesh->vertex_count;

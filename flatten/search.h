@@ -19,6 +19,7 @@ typedef struct ktg_search {
     bool *given, *plane, *cut; /* edge_count: as it was; along the mirror plane; as it is */
     bool *done;                /* face_count: its panel fits, or cannot be helped */
     ktg_fit_limit limit;
+    double budget;       /* work there is, in parts of what is usual */
     bool exhausted;      /* work ran out, or the caller wants to finish */
     uint32_t first_rank; /* which way is taken at the first cut: the best, the second best, ... */
     bool lines_last;     /* darts and the like only where nothing else helps */

@@ -44,6 +44,7 @@ static ktg_status choose_seams(ktg_context *context, ktg_flat_surface *s) {
     ktg_seams_auto_defaults(&options);
     options.max_strain = s->options->strain_limit;
     options.area_part = s->area_part;
+    options.effort = s->options->effort;
     options.fabric = s->options->fabric;
     options.up = s->options->up;
     ktg_status status = given ? KTG_OK : KTG_MEMORY;

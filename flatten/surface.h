@@ -69,6 +69,10 @@ KTG_NODISCARD ktg_status ktg_flat_surface_judge(ktg_context *context, ktg_flat_s
 
 KTG_NODISCARD ktg_status ktg_seams_match(ktg_context *context, ktg_flat_surface *surface);
 
+/* KTG_GEOMETRY where that came out so badly that the seam cannot be sewn, which happens among
+ * needles only. */
+KTG_NODISCARD ktg_status ktg_seams_check(ktg_context *context, const ktg_flat_surface *surface);
+
 /* ---- pattern.c ---------------------------------------------------------------------------- */
 
 KTG_NODISCARD ktg_status ktg_flat_pattern(ktg_context *context, const ktg_flat_surface *surface,

@@ -10,8 +10,8 @@
 
 #include <string.h>
 
-/* Fresh starts, from spanning trees whose weights (0 to 1) are shaken by this much. */
-#define MOST_RESTARTS  20
+/* Fresh starts by effort, from spanning trees whose weights (0 to 1) are shaken by this much. */
+static const uint32_t most_restarts[] = {5, 20, 20};
 #define RESTART_JITTER 0.3
 
 /* Steps without a new least number of conflicts after which a run is given up. A run needs about
@@ -43,10 +43,10 @@ static void keep_better(ktg_net **best, ktg_net **net) {
 }
 
 /* The best net of several runs; one run where it has no conflicts. */
-static ktg_status search_net(ktg_context *context, const ktg_dual *dual, ktg_search *search,
-                             bool *folded, ktg_net **best) {
+static ktg_status search_net(ktg_context *context, const ktg_dual *dual, uint32_t restarts,
+                             ktg_search *search, bool *folded, ktg_net **best) {
     ktg_status status = KTG_OK;
-    for (uint32_t run = 0; status == KTG_OK && run <= MOST_RESTARTS; run++) {
+    for (uint32_t run = 0; status == KTG_OK && run <= restarts; run++) {
         ktg_net *net = NULL;
         if (run > 0 && ((*best)->live_count == 0 || !ktg_search_goes_on(context, search)))
             break;
@@ -94,7 +94,8 @@ ktg_status ktg_join_transplant(ktg_context *context, const ktg_dual *dual,
                                uint32_t *pieces) {
     ktg_net *net = NULL;
     double start = ktg_clock_seconds();
-    ktg_status status = search_net(context, dual, search, joined, &net);
+    ktg_status status =
+        search_net(context, dual, most_restarts[options->effort], search, joined, &net);
     *pieces = 1;
     if (status == KTG_OK) {
         search->seconds += ktg_clock_seconds() - start;

@@ -67,8 +67,18 @@ static void mark_folds(const ktg_dual *dual, const ktg_adjacency *adjacency, con
 }
 
 /* Components up to this many faces get a second chance by the paper's method where transplants left
- * several pieces. */
-#define SECOND_CHANCE 2000
+ * several pieces; with little effort that starts afresh only so often. */
+#define SECOND_CHANCE  2000
+#define QUICK_RESTARTS 3
+
+static ktg_status second_chance(ktg_context *context, const ktg_dual *dual,
+                                const ktg_unfold_options *options, ktg_search *search, bool *joined,
+                                uint32_t *pieces) {
+    ktg_unfold_options own = *options;
+    if (own.effort == KTG_EFFORT_QUICK && own.restarts > QUICK_RESTARTS)
+        own.restarts = QUICK_RESTARTS;
+    return ktg_join_genetic(context, dual, &own, search, joined, pieces);
+}
 
 static ktg_status join_freely(ktg_context *context, const ktg_dual *dual,
                               const ktg_unfold_options *options, ktg_search *search, bool *joined) {
@@ -80,7 +90,7 @@ static ktg_status join_freely(ktg_context *context, const ktg_dual *dual,
         return KTG_OK;
     bool *trial = ktg_new(context, dual->edge_count, bool);
     ktg_status status =
-        trial ? ktg_join_genetic(context, dual, options, search, trial, &other) : KTG_MEMORY;
+        trial ? second_chance(context, dual, options, search, trial, &other) : KTG_MEMORY;
     if (status == KTG_OK && other < pieces)
         memcpy(joined, trial, dual->edge_count * sizeof *joined);
     ktg_free(trial);

@@ -210,6 +210,23 @@ static void the_caller_may_stop_it_or_have_it_finish(void **state) {
     garment_drop(&g);
 }
 
+static void effort_is_work(void **state) {
+    uint64_t work[3];
+    for (int effort = KTG_EFFORT_QUICK; effort <= KTG_EFFORT_BEST; effort++) {
+        garment g = sphere(*state, 6);
+        ktg_seams_report report;
+        ktg_seams_auto_options options;
+        ktg_seams_auto_defaults(&options);
+        options.effort = (ktg_effort)effort;
+        assert_int_equal(ktg_seams_auto(*state, g.mesh, g.adjacency, &options, g.cut, &report),
+                         KTG_OK);
+        assert_true(report.panels_beyond == 0);
+        work[effort] = report.work;
+        garment_drop(&g);
+    }
+    assert_true(work[0] < work[1] && work[1] <= work[2]);
+}
+
 static void a_limit_that_makes_no_sense_is_refused(void **state) {
     garment g = garment_new(*state, grid_panel(*state, plane, 2));
     const double limits[][2] = {{0, 0.95}, {-1, 0.95}, {NAN, 0.95}, {0.05, 0}, {0.05, 1.1}};
@@ -257,6 +274,7 @@ int main(void) {
         TEST(threads_change_nothing),
         TEST(a_zigzag_is_slid_straight),
         TEST(the_caller_may_stop_it_or_have_it_finish),
+        TEST(effort_is_work),
         TEST(a_limit_that_makes_no_sense_is_refused),
         TEST(short_memory_leaves_the_seams_as_they_were),
     };
