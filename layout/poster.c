@@ -66,10 +66,10 @@ static uint32_t mark_cells(ktg_poster *p, const ktg_vec2 *outline, size_t count,
     return used;
 }
 
+/* One more than are allowed stands for any number beyond. */
 static uint32_t tiles_along(double size, double room, double step) {
-    return size <= room + KTG_LAYOUT_SLACK_MM
-               ? 1
-               : 1 + (uint32_t)ceil((size - room - KTG_LAYOUT_SLACK_MM) / step);
+    double more = ceil((size - room - KTG_LAYOUT_SLACK_MM) / step);
+    return more > 0 ? 1 + (uint32_t)fmin(more, KTG_POSTER_TILES) : 1;
 }
 
 /* ---- one poster ---------------------------------------------------------------------------- */

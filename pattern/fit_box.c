@@ -11,9 +11,20 @@
 #include "core/memory.h"
 #include "pattern/pattern.h"
 
+#include <float.h>
 #include <stdlib.h>
 
-/* A rotation, cosine and sine with it, and the box around the hull turned by it. */
+/* The hull between four parallels, which turn with it: the corners that touch them move on from
+ * side to side (rotating calipers: Shamos 1978), so that rising angles cost O(1) each. */
+typedef struct calipers {
+    ktg_vec2 *hull;
+    size_t count;
+    size_t corner[4]; /* on the right, on the left, at the top, at the bottom */
+    double *angles;   /* count: at which a side is flush, rising, below a quarter turn */
+    double rounding;  /* of how far a corner lies in some direction */
+} calipers;
+
+/* A rotation, and the box around the hull turned by it. */
 typedef struct turned {
     double angle;
     ktg_vec2 low, size;
@@ -27,15 +38,68 @@ static double flush_angle(ktg_vec2 d) {
     return angle >= KTG_PI / 2 * (1 - 1e-15) ? 0 : angle;
 }
 
-static turned turn(const ktg_vec2 *hull, size_t count, double angle) {
-    ktg_motion2 motion = {cos(angle), sin(angle), {0, 0}};
-    ktg_vec2 low = {INFINITY, INFINITY}, high = {-INFINITY, -INFINITY};
-    for (size_t i = 0; i < count; i++) {
-        ktg_vec2 p = ktg_move2(motion, hull[i]);
-        low = (ktg_vec2){fmin(low.x, p.x), fmin(low.y, p.y)};
-        high = (ktg_vec2){fmax(high.x, p.x), fmax(high.y, p.y)};
+static int by_angle(const void *left, const void *right) {
+    double a = *(const double *)left, b = *(const double *)right;
+    return (a > b) - (a < b);
+}
+
+static void drop(calipers *c) {
+    ktg_free(c->hull);
+    ktg_free(c->angles);
+}
+
+static ktg_status hold(ktg_context *context, const ktg_vec2 *points, size_t point_count,
+                       calipers *c) {
+    *c = (calipers){0};
+    KTG_TRY(ktg_hull(context, points, point_count, &c->hull, &c->count));
+    c->angles = ktg_new(context, c->count, double);
+    if (!c->angles) {
+        drop(c);
+        return KTG_MEMORY;
     }
-    return (turned){angle, low, ktg_sub2(high, low)};
+    double largest = 0;
+    for (size_t i = 0; i < c->count; i++)
+        largest = fmax(largest, fmax(fabs(c->hull[i].x), fabs(c->hull[i].y)));
+    c->rounding = 8 * DBL_EPSILON * largest;
+    for (size_t i = 0; i < c->count; i++)
+        c->angles[i] = flush_angle(ktg_sub2(c->hull[i + 1 == c->count ? 0 : i + 1], c->hull[i]));
+    qsort(c->angles, c->count, sizeof *c->angles, by_angle);
+    return KTG_OK;
+}
+
+/* From corner to corner, `step` further each time, as long as that leads farther, or would but for
+ * rounding. */
+static size_t climb(const calipers *c, ktg_vec2 direction, size_t corner, size_t step) {
+    double far = ktg_dot2(direction, c->hull[corner]);
+    size_t next = corner;
+    for (size_t walked = 1; walked < c->count; walked++) {
+        next = (next + step) % c->count;
+        double d = ktg_dot2(direction, c->hull[next]);
+        if (d < far - c->rounding)
+            break;
+        if (d > far) {
+            far = d;
+            corner = next;
+        }
+    }
+    return corner;
+}
+
+static void turn_calipers(calipers *c, ktg_motion2 motion) {
+    const ktg_vec2 ways[4] = {
+        {motion.c, -motion.s}, {-motion.c, motion.s}, {motion.s, motion.c}, {-motion.s, -motion.c}};
+    for (int k = 0; k < 4; k++)
+        c->corner[k] = climb(c, ways[k], climb(c, ways[k], c->corner[k], 1), c->count - 1);
+}
+
+static turned turn(calipers *c, double angle) {
+    ktg_motion2 motion = {cos(angle), sin(angle), {0, 0}};
+    turn_calipers(c, motion);
+    ktg_vec2 right = ktg_move2(motion, c->hull[c->corner[0]]),
+             left = ktg_move2(motion, c->hull[c->corner[1]]),
+             top = ktg_move2(motion, c->hull[c->corner[2]]),
+             bottom = ktg_move2(motion, c->hull[c->corner[3]]);
+    return (turned){angle, {left.x, bottom.y}, {right.x - left.x, top.y - bottom.y}};
 }
 
 /* Equal up to rounding: then the smaller angle wins. */
@@ -49,33 +113,29 @@ static void keep_smaller(turned *best, turned t) {
 
 ktg_status ktg_smallest_box(ktg_context *context, const ktg_vec2 *points, size_t point_count,
                             double *rotation, ktg_vec2 *low, ktg_vec2 *size) {
-    ktg_vec2 *hull;
-    size_t count;
-    KTG_TRY(ktg_hull(context, points, point_count, &hull, &count));
+    calipers c;
+    KTG_TRY(hold(context, points, point_count, &c));
     turned best = {0, {0, 0}, {INFINITY, INFINITY}};
-    for (size_t i = 0; i < count; i++) {
-        ktg_vec2 side = ktg_sub2(hull[i + 1 == count ? 0 : i + 1], hull[i]);
-        keep_smaller(&best, turn(hull, count, flush_angle(side)));
-    }
+    for (size_t i = 0; i < c.count; i++)
+        keep_smaller(&best, turn(&c, c.angles[i]));
     *rotation = best.angle;
     *low = best.low;
     *size = best.size;
-    ktg_free(hull);
+    drop(&c);
     return KTG_OK;
 }
 
 /* ---- the best fit ------------------------------------------------------------------------- */
 
 typedef struct best_fit {
-    const ktg_vec2 *hull;
-    size_t count;
+    calipers calipers;
     ktg_vec2 room;
     turned turned;
     double magnification;
 } best_fit;
 
 static void consider(best_fit *fit, double angle) {
-    turned t = turn(fit->hull, fit->count, angle);
+    turned t = turn(&fit->calipers, angle);
     double x = t.size.x > 0 ? fit->room.x / t.size.x : INFINITY;
     double y = t.size.y > 0 ? fit->room.y / t.size.y : INFINITY;
     double magnification = fmin(x, y), best = fit->magnification;
@@ -86,30 +146,15 @@ static void consider(best_fit *fit, double angle) {
     }
 }
 
-/* The diagonals (right - left corner, top - bottom corner) that span the box at this angle. */
-static void spans(const best_fit *fit, double angle, ktg_vec2 *across, ktg_vec2 *up) {
-    double c = cos(angle), s = sin(angle);
-    ktg_vec2 reach[4] = {{c, -s}, {-c, s}, {s, c}, {-s, -c}};
-    ktg_vec2 corner[4];
-    for (int k = 0; k < 4; k++) {
-        double far = -INFINITY;
-        for (size_t i = 0; i < fit->count; i++) {
-            double d = ktg_dot2(reach[k], fit->hull[i]);
-            if (d > far) {
-                far = d;
-                corner[k] = fit->hull[i];
-            }
-        }
-    }
-    *across = ktg_sub2(corner[0], corner[1]);
-    *up = ktg_sub2(corner[2], corner[3]);
-}
-
-/* Between two flush angles: width = across . (c, -s), height = up . (s, c); both ratios are equal
- * where H width - W height = c (H across.x - W up.y) - s (H across.y + W up.x) is 0. */
+/* Between two flush angles the same two diagonals span the box, from left to right and from bottom
+ * to top: width = across . (c, -s), height = up . (s, c); both ratios are equal where
+ * H width - W height = c (H across.x - W up.y) - s (H across.y + W up.x) is 0. */
 static void consider_between(best_fit *fit, double from, double to) {
-    ktg_vec2 across, up;
-    spans(fit, (from + to) / 2, &across, &up);
+    calipers *c = &fit->calipers;
+    double middle = (from + to) / 2;
+    turn_calipers(c, (ktg_motion2){cos(middle), sin(middle), {0, 0}});
+    ktg_vec2 across = ktg_sub2(c->hull[c->corner[0]], c->hull[c->corner[1]]);
+    ktg_vec2 up = ktg_sub2(c->hull[c->corner[2]], c->hull[c->corner[3]]);
     double a = fit->room.y * across.x - fit->room.x * up.y;
     double b = fit->room.y * across.y + fit->room.x * up.x;
     if (a == 0 && b == 0)
@@ -120,47 +165,34 @@ static void consider_between(best_fit *fit, double from, double to) {
         consider(fit, angle);
 }
 
-static int by_angle(const void *left, const void *right) {
-    double a = *(const double *)left, b = *(const double *)right;
-    return (a > b) - (a < b);
-}
-
 /* Every flush angle in [0, pi) in order, and the angles between. */
-static ktg_status consider_all(ktg_context *context, best_fit *fit) {
-    double *angles = ktg_new(context, 2 * fit->count + 1, double);
-    if (!angles)
-        return KTG_MEMORY;
-    size_t n = 2 * fit->count;
-    for (size_t i = 0; i < fit->count; i++) {
-        ktg_vec2 side = ktg_sub2(fit->hull[i + 1 == fit->count ? 0 : i + 1], fit->hull[i]);
-        angles[2 * i] = flush_angle(side);
-        angles[2 * i + 1] = angles[2 * i] + KTG_PI / 2;
+static void consider_all(best_fit *fit) {
+    const calipers *c = &fit->calipers;
+    for (int quarter = 0; quarter < 2; quarter++) {
+        double turned_by = quarter * KTG_PI / 2;
+        for (size_t i = 0; i < c->count; i++) {
+            double from = turned_by + c->angles[i], to = turned_by + KTG_PI / 2 + c->angles[0];
+            if (i + 1 < c->count)
+                to = turned_by + c->angles[i + 1];
+            consider(fit, from);
+            if (to > from)
+                consider_between(fit, from, to);
+        }
     }
-    qsort(angles, n, sizeof *angles, by_angle);
-    angles[n] = angles[0] + KTG_PI;
-    for (size_t i = 0; i < n; i++) {
-        consider(fit, angles[i]);
-        if (angles[i + 1] > angles[i])
-            consider_between(fit, angles[i], angles[i + 1]);
-    }
-    ktg_free(angles);
-    return KTG_OK;
 }
 
 ktg_status ktg_best_fit(ktg_context *context, const ktg_vec2 *points, size_t point_count,
                         double width, double height, double *rotation, ktg_vec2 *low,
                         double *magnification) {
-    ktg_vec2 *hull;
     if (!(width > 0) || !(height > 0))
         return ktg_fail(context, KTG_ARGUMENT, "nothing fits a rectangle of %g x %g", width,
                         height);
     best_fit fit = {.room = {width, height}};
-    KTG_TRY(ktg_hull(context, points, point_count, &hull, &fit.count));
-    fit.hull = hull;
-    ktg_status status = consider_all(context, &fit);
+    KTG_TRY(hold(context, points, point_count, &fit.calipers));
+    consider_all(&fit);
     *rotation = fit.turned.angle;
     *low = fit.turned.low;
     *magnification = fit.magnification;
-    ktg_free(hull);
-    return status;
+    drop(&fit.calipers);
+    return KTG_OK;
 }

@@ -1,5 +1,4 @@
-/* pattern/hull.c - the convex hull (Andrew's monotone chain) with exact turns, and the smallest
- * rectangle around it. */
+/* pattern/hull.c - the convex hull (Andrew's monotone chain) with exact turns. */
 #include "pattern/hull.h"
 
 #include "core/memory.h"

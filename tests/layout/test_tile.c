@@ -163,10 +163,13 @@ static void what_makes_no_poster_is_refused(void **state) {
     assert_int_equal(ktg_layout_tile(context, pattern, &options, 10, NULL), KTG_GEOMETRY);
     assert_int_equal(pattern->sheet_count, 0);
     ktg_pattern_free(&pattern);
-    pattern = make_pattern(context, 1);
-    set_rectangle(context, pattern->pieces, 1e5, 1e5);
-    assert_int_equal(ktg_layout_tile(context, pattern, NULL, 10, NULL), KTG_LIMIT);
-    ktg_pattern_free(&pattern);
+    const double sides_mm[][2] = {{1e5, 1e5}, {1e38, 1}, {1, 1e30}, {4294967296 * 190.0, 1}};
+    for (size_t k = 0; k < sizeof sides_mm / sizeof *sides_mm; k++) {
+        pattern = make_pattern(context, 1);
+        set_rectangle(context, pattern->pieces, sides_mm[k][0], sides_mm[k][1]);
+        assert_int_equal(ktg_layout_tile(context, pattern, NULL, 10, NULL), KTG_LIMIT);
+        ktg_pattern_free(&pattern);
+    }
 }
 
 static ktg_status lay_page(ktg_context *context, ktg_pattern *pattern, ktg_layout_report *report) {

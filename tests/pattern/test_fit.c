@@ -120,9 +120,12 @@ static void boxes_beat_every_angle_of_a_fine_search(void **state) {
     ktg_random_seed(&random, 8);
     for (int round = 0; round < 40; round++) {
         ktg_vec2 p[25], low, size;
-        size_t count = 3 + ktg_random_below(&random, 22);
+        size_t count = (round % 2 ? 15 : 3) + ktg_random_below(&random, round % 2 ? 11 : 22);
         for (size_t i = 0; i < count; i++)
             p[i] = (ktg_vec2){100 * ktg_random_unit(&random), 40 * ktg_random_unit(&random)};
+        for (size_t i = 1; i < count && round % 2; i++) /* crowds, closer than digits can tell */
+            if (i % 5)
+                p[i] = ktg_madd2(p[i - 1], 1e-15 * ktg_random_unit(&random), p[i]);
         double rotation, magnification, area = INFINITY, most = 0;
         for (int k = 0; k < 18000; k++) {
             ktg_vec2 s = turned_size(p, count, KTG_PI * k / 18000);
