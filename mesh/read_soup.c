@@ -126,15 +126,28 @@ static ktg_status allocate_faces(ktg_context *context, const ktg_soup *soup, uin
     return failed ? KTG_MEMORY : KTG_OK;
 }
 
+/* The corners of a triangle. A polygon that comes by a vertex twice may give one that has it twice:
+ * it becomes what it would be if it were read by itself, its last corner repeated. */
+static void corners_of(const ktg_soup *soup, const cutter *cut, const uint32_t *triangle,
+                       size_t corner[3]) {
+    for (size_t k = 0; k < 3; k++)
+        corner[k] = cut->corners[triangle[k]];
+    if (soup->corners[corner[0]] == soup->corners[corner[1]])
+        corner[1] = corner[2];
+    if (soup->corners[corner[2]] == soup->corners[corner[0]] ||
+        soup->corners[corner[2]] == soup->corners[corner[1]])
+        corner[2] = corner[1];
+}
+
 static void append_face(const ktg_soup *soup, size_t polygon, const cutter *cut,
                         const uint32_t *triangle, ktg_mesh *mesh) {
     const ktg_soup_polygon *from = &soup->polygons[polygon];
-    size_t face = mesh->face_count++;
+    size_t face = mesh->face_count++, corner[3];
+    corners_of(soup, cut, triangle, corner);
     for (size_t k = 0; k < 3; k++) {
-        size_t corner = cut->corners[triangle[k]];
-        mesh->faces[3 * face + k] = soup->corners[corner];
+        mesh->faces[3 * face + k] = soup->corners[corner[k]];
         if (mesh->face_uv)
-            mesh->face_uv[3 * face + k] = soup->corner_uvs[corner];
+            mesh->face_uv[3 * face + k] = soup->corner_uvs[corner[k]];
     }
     if (mesh->face_polygon)
         mesh->face_polygon[face] = (uint32_t)polygon;
