@@ -29,6 +29,7 @@ static void pick_drawing(fuzz_bytes *bytes, ktg_render_options *render) {
     render->registration = how & 8;
     render->folds = how & 16 ? KTG_FOLDS_SOLID : KTG_FOLDS_DASHED;
     render->svg_unit = (ktg_svg_unit)(how / 32 % 3);
+    render->guide = how / 32 == 7; /* its pictures take longer than all the rest */
     render->dots_per_inch = 20;
 }
 
