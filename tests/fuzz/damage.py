@@ -14,6 +14,7 @@ by tests/cli/check_net.py, which shares no code with it. What goes wrong is told
 import argparse
 import collections
 import json
+import math
 import pathlib
 import random
 import re
@@ -135,7 +136,8 @@ def round_points(data, r):
     except ValueError:
         return data
     step = reach / r.choice([2, 4, 7, 16]) or 1
-    return move_points(data, r, lambda place, _: [round(x / step) * step for x in place])
+    return move_points(data, r, lambda place, _: [round(x / step) * step if math.isfinite(x / step) else x
+                                                  for x in place])
 
 
 def shake_points(data, r):
