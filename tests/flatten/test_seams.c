@@ -145,19 +145,6 @@ static void a_slit_of_one_edge_does_not_keep_the_search_busy(void **state) {
     garment_drop(&g);
 }
 
-static void threads_change_nothing(void **state) {
-    garment one = garment_new(*state, grid_panel(*state, hemisphere, 12));
-    garment three = garment_new(*state, grid_panel(*state, hemisphere, 12));
-    assert_int_equal(ktg_seams_auto(*state, one.mesh, one.adjacency, NULL, one.cut, NULL), KTG_OK);
-    ktg_context_set_threads(*state, 3);
-    assert_int_equal(ktg_seams_auto(*state, three.mesh, three.adjacency, NULL, three.cut, NULL),
-                     KTG_OK);
-    assert_true(seam_length(&one) > 0);
-    assert_memory_equal(one.cut, three.cut, one.adjacency->edge_count);
-    garment_drop(&one);
-    garment_drop(&three);
-}
-
 /* ---- slide -------------------------------------------------------------------------------- */
 
 /* A zigzag across a flat sheet: vertices (i, 6) and (i, 7) in turns, by diagonals. */
@@ -271,7 +258,6 @@ int main(void) {
         TEST(what_is_symmetric_is_cut_alike_on_both_sides),
         TEST(given_seams_stay),
         TEST(a_slit_of_one_edge_does_not_keep_the_search_busy),
-        TEST(threads_change_nothing),
         TEST(a_zigzag_is_slid_straight),
         TEST(the_caller_may_stop_it_or_have_it_finish),
         TEST(effort_is_work),

@@ -13,9 +13,9 @@ EDIT = "[fixed ground]\nset = halfspace 0 1 0 0 -1 0\n[handle top]\nset = vertex
 
 # what is run, in this order, as later ones read what earlier ones write
 RUNS = ["unfold {samples}/star.obj --effort quick -o net.pdf -o net.svg -o net.dxf -o net.png -o net.json",
-        "unfold {samples}/house.obj --method genetic --height 30cm --oversize tile -o house.pdf",
+        "unfold {samples}/house.obj --method genetic --restarts 0 --generations 20 --height 30cm --oversize tile -o house.pdf",
         "verify net.json {samples}/star.obj",
-        "flatten {samples}/house.obj --unit cm --seams auto -o cloth.pdf -o cloth.dxf -o cloth.json",
+        "flatten {samples}/house.obj --unit cm --seams auto --effort quick -o cloth.pdf -o cloth.dxf -o cloth.json",
         "verify cloth.json",
         "warp cloth.json#1 --handles some.handles -o warped.json",
         "deform {samples}/star.obj --edit some.edit -o moved.obj --sets sets.obj --preview moved.png",
