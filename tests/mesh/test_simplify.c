@@ -100,17 +100,10 @@ static void the_borders_of_a_tube_keep_their_place(void **state) {
     ktg_mesh_free(&mesh);
 }
 
-/* A square of n x n quadrangles with two materials side by side. */
+/* A plate with two materials side by side. */
 static ktg_mesh *plate(void **state, uint32_t n) {
     builder *b = build();
-    for (uint32_t i = 0; i <= n; i++)
-        for (uint32_t j = 0; j <= n; j++)
-            add_point(b, j, i, 0);
-    for (uint32_t i = 0; i < n; i++)
-        for (uint32_t j = 0; j < n; j++) {
-            uint32_t at = (n + 1) * i + j;
-            add_quad(b, at, at + 1, at + n + 2, at + n + 1);
-        }
+    add_plate(b, n);
     ktg_mesh *mesh = finish(state, b);
     mesh->face_material = calloc(mesh->face_count, sizeof *mesh->face_material);
     for (uint32_t f = 0; f < mesh->face_count; f++)
