@@ -76,6 +76,8 @@ static void assert_same_seam(const ktg_pattern_seam *a, const ktg_pattern_seam *
     assert_int_equal(a->obvious, b->obvious);
     assert_int_equal(a->dart, b->dart);
     assert_int_equal(a->number, b->number);
+    assert_int_equal(a->section, b->section);
+    assert_int_equal(a->closing, b->closing);
     assert_int_equal(a->notch_count, b->notch_count);
     for (size_t i = 0; i < a->notch_count; i++) {
         assert_true(a->notches[i].at == b->notches[i].at);
@@ -284,6 +286,7 @@ static void memory_may_fail_anywhere(void **state) {
         assert_int_equal(back == NULL, status == KTG_MEMORY);
     }
     assert_int_equal(status, KTG_OK);
+    assert_same_pattern(pattern, back);
     assert_true(nth > 20);
     for (nth = 1, status = KTG_MEMORY; status == KTG_MEMORY; nth++) {
         ktg_context_fail_allocation(f->context, nth);
@@ -292,6 +295,7 @@ static void memory_may_fail_anywhere(void **state) {
     assert_int_equal(status, KTG_OK);
     assert_true(nth > 4);
     ktg_context_fail_allocation(f->context, 0);
+    assert_same_file(f);
     ktg_pattern_free(&pattern);
     ktg_pattern_free(&back);
 }
