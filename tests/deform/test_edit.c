@@ -1,6 +1,7 @@
 /* Edit files: what they select, and what is wrong with them. */
 #include "core/vec.h"
 #include "shapes.h"
+#include "tests/short_memory.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -369,7 +370,7 @@ static void memory_that_runs_out_is_told(void **state) {
     for (uint64_t k = 1; status != KTG_OK; k++, failures++) {
         ktg_context_fail_allocation(d->context, k);
         status = whole(d);
-        ktg_context_fail_allocation(d->context, 0);
+        end_short_memory(d->context, status);
         if (status != KTG_OK && status != KTG_MEMORY)
             fail_msg("allocation %llu: %s", (unsigned long long)k, ktg_context_message(d->context));
     }

@@ -1,6 +1,7 @@
 /* Shapes that follow handles: Igarashi & Igarashi 2009, sections 3 to 6. */
 #include "flatten/shape.h"
 #include "tests/flatten/panels.h"
+#include "tests/short_memory.h"
 
 #include <string.h>
 
@@ -455,7 +456,7 @@ static void short_memory_is_told_wherever_it_runs_out(void **state) {
     while (status != KTG_OK && k < 1000) {
         ktg_context_fail_allocation(context, ++k);
         status = whole_job(context, mesh);
-        ktg_context_fail_allocation(context, 0);
+        end_short_memory(context, status);
         assert_true(status == KTG_OK || status == KTG_MEMORY);
     }
     assert_true(k > 20 && k < 1000);

@@ -2,6 +2,7 @@
  */
 #include "folder.h"
 #include "paint/look.h"
+#include "tests/short_memory.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -254,7 +255,7 @@ static void memory_that_runs_out_is_told(void **state) {
         status = ktg_paint_new(f->context, mesh, path, NULL, &paint, NULL);
         if (status == KTG_OK)
             status = ktg_paint_lay(f->context, paint, mesh, 1, NULL);
-        ktg_context_fail_allocation(f->context, 0);
+        end_short_memory(f->context, status);
         assert_true(status == KTG_OK || status == KTG_MEMORY);
         ktg_paint_free(&paint);
     }

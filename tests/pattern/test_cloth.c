@@ -1,5 +1,6 @@
 /* What pieces of cloth get: allowances, darts, notches, labels. */
 #include "tests/pattern/cloth.h"
+#include "tests/short_memory.h"
 
 #include <math.h>
 
@@ -265,7 +266,7 @@ static void every_failing_allocation_is_survived(void **state) {
             status = ktg_pattern_finish(*state, p, &options, &report);
             assert_true(nth < 5000);
         }
-        ktg_context_fail_allocation(*state, 0);
+        end_short_memory(*state, status);
         assert_int_equal(status, KTG_OK);
         assert_int_equal(report.twins, k == 0);
         assert_int_equal(report.on_fold, k == 1);

@@ -2,6 +2,7 @@
 #include "json_files.h"
 
 #include "core/memory.h"
+#include "tests/short_memory.h"
 
 #include <locale.h>
 #include <math.h>
@@ -294,7 +295,7 @@ static void memory_may_fail_anywhere(void **state) {
     }
     assert_int_equal(status, KTG_OK);
     assert_true(nth > 4);
-    ktg_context_fail_allocation(f->context, 0);
+    end_short_memory(f->context, status);
     assert_same_file(f);
     ktg_pattern_free(&pattern);
     ktg_pattern_free(&back);

@@ -4,6 +4,7 @@
 #include <stdarg.h>
 
 #include "tests/render/strip.h"
+#include "tests/short_memory.h"
 
 #include <cmocka.h>
 
@@ -368,7 +369,7 @@ static void short_memory_is_survived(void **state) {
             assert_true(status == KTG_OK || status == KTG_MEMORY);
             ktg_free(bytes);
         }
-        ktg_context_fail_allocation(context, 0);
+        end_short_memory(context, status);
         assert_int_equal(status, KTG_OK);
     }
     ktg_pattern_free(&pattern);

@@ -1,6 +1,7 @@
 /* Arrangements: their trees, coordinates, conflicts and tabs against slow references, and what
  * annealing makes of them. */
 #include "core/random.h"
+#include "tests/short_memory.h"
 #include "tests/unfold/help.h"
 #include "unfold/arrange.h"
 #include "unfold/ease.h"
@@ -403,7 +404,7 @@ static void fail_each(void **state, int subdivisions, uint64_t work, uint64_t st
         ktg_random_seed(&f.search.random, 1);
         ktg_context_fail_allocation(*state, k);
         status = ktg_arrange(*state, f.dual, &goal, &f.search, tree);
-        ktg_context_fail_allocation(*state, 0);
+        end_short_memory(*state, status);
         assert_true(status == KTG_OK || status == KTG_MEMORY);
         ktg_free(tree);
     }

@@ -2,6 +2,7 @@
 #include "core/memory.h"
 #include "core/random.h"
 #include "core/vec.h"
+#include "tests/short_memory.h"
 #include "tests/unfold/reference.h"
 #include "tests/unfold/shapes.h"
 #include "unfold/unfold.h"
@@ -507,7 +508,7 @@ static void fail_allocations(ktg_context *context, const ktg_unfold_options *opt
         status = ktg_unfold(context, mesh, "model", options, &pattern, NULL);
         assert_true(status == KTG_OK ? pattern != NULL : pattern == NULL);
     }
-    ktg_context_fail_allocation(context, 0);
+    end_short_memory(context, status);
     assert_int_equal(status, KTG_OK);
     assert_true(k > 100);
     assert_sound_net(context, mesh, pattern);

@@ -3,6 +3,7 @@
 #include "core/random.h"
 #include "core/vec.h"
 #include "nets.h"
+#include "tests/short_memory.h"
 #include "verify/verify.h"
 
 #include <setjmp.h>
@@ -457,7 +458,7 @@ static void memory_may_fail_anywhere(void **state) {
     }
     assert_int_equal(status, KTG_OK);
     assert_true(nth > 30);
-    ktg_context_fail_allocation(context, 0);
+    end_short_memory(context, status);
     ktg_mesh_free(&model);
     ktg_pattern_free(&p);
 }
