@@ -195,6 +195,8 @@ static void what_is_wrong_is_told_with_its_line(void **state) {
         {"[fixed f]\nset = vertex 99999999999999999999", 2, "from 1 to 9"},
         {"[fixed f]\nset = vertex 1.5", 2, "from 1 to 9"},
         {"[fixed f]\nset = boundary close 1 2 3", 2, "near X Y Z"},
+        {"[fixed f]\nset = boundary near 1 2", 2, "3 numbers are wanted"},
+        {"[fixed f]\nset = component near 1 x 3", 2, "\"x\" is not a number"},
         {"[set]\nadd = all", 1, "a set wants a name"},
         {"[set all]\nadd = all", 1, "means a selection"},
         {"[set a]\nadd = all\n[set a]\nadd = all", 3, "in line 1"},

@@ -282,18 +282,36 @@ static void only_manifolds_are_taken(void **state) {
     }
 }
 
-static ktg_wish stop_now(void *user) {
-    (void)user;
-    return KTG_STOP;
+/* Stops when it is asked for the n-th time, and counts down to that. */
+static ktg_wish stop_at(void *user) {
+    int *left = user;
+    return --*left > 0 ? KTG_GO_ON : KTG_STOP;
 }
 
-static void it_can_be_cancelled_and_memory_may_run_out(void **state) {
+static void it_can_be_cancelled_whenever_it_asks(void **state) {
+    ktg_status status = KTG_CANCELLED;
+    int asked = 0;
+    for (int nth = 1; status == KTG_CANCELLED; nth++) {
+        builder *b = build();
+        add_sphere(b, 0, 0, 0, 1, 0.1, 20, 30);
+        ktg_mesh *mesh = finish(state, b);
+        uint32_t before = mesh->face_count;
+        int left = nth;
+        ktg_context_set_cancel(context_of(state), stop_at, &left);
+        status = ktg_mesh_simplify(context_of(state), mesh, 20, NULL);
+        ktg_context_set_cancel(context_of(state), NULL, NULL);
+        assert_true(status == KTG_OK ? left > 0 : left == 0); /* the first answer counts */
+        assert_int_equal(status == KTG_OK, mesh->face_count < before);
+        asked = nth - left;
+        ktg_mesh_free(&mesh);
+    }
+    assert_int_equal(status, KTG_OK);
+    assert_true(asked >= 2);
+}
+
+static void memory_may_run_out(void **state) {
     ktg_mesh *mesh = plate(state, 6);
     ktg_simplify_report r;
-    ktg_context_set_cancel(context_of(state), stop_now, NULL);
-    assert_int_equal(ktg_mesh_simplify(context_of(state), mesh, 10, &r), KTG_CANCELLED);
-    ktg_context_set_cancel(context_of(state), NULL, NULL);
-    assert_int_equal(mesh->face_count, 72);
     ktg_status status = KTG_MEMORY;
     uint64_t nth = 0;
     while (status == KTG_MEMORY) {
@@ -322,7 +340,8 @@ int main(void) {
         cmocka_unit_test(the_same_at_every_power_of_two_and_every_time),
         cmocka_unit_test(what_is_small_enough_stays_as_it_is),
         cmocka_unit_test(only_manifolds_are_taken),
-        cmocka_unit_test(it_can_be_cancelled_and_memory_may_run_out),
+        cmocka_unit_test(it_can_be_cancelled_whenever_it_asks),
+        cmocka_unit_test(memory_may_run_out),
     };
     return cmocka_run_group_tests_name("mesh simplify", tests, start, stop);
 }
