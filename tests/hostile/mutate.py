@@ -60,6 +60,7 @@ def prepare(root, folder):
 
 
 def tests_of(build, room):
+    run(["ninja", "-C", build, "build.ninja"])  # tests may have come since it was made
     said = json.loads(run(["meson", "introspect", "--tests", build]).stdout)
     return [test for test in said if test["name"].startswith(room + "/") and test["cmd"][0].startswith(str(build))]
 
