@@ -375,19 +375,31 @@ static void short_memory_is_survived(void **state) {
     ktg_pattern_free(&pattern);
 }
 
-static ktg_wish always(void *user) {
-    (void)user;
-    return KTG_STOP;
+static ktg_wish count_down(void *user) {
+    int *left = user;
+    return --*left < 0 ? KTG_STOP : KTG_GO_ON;
 }
 
-static void drawing_can_be_interrupted(void **state) {
+static void drawing_can_be_interrupted_anywhere(void **state) {
+    static const char *const kinds[] = {"pdf", "png", "svg", "dxf"};
     ktg_context *context = *state;
     ktg_pattern *pattern = two_on_a4(context);
-    char *bytes;
-    size_t size;
-    ktg_context_set_cancel(context, always, NULL);
-    assert_int_equal(render_bytes(context, pattern, "pdf", 0, NULL, &bytes, &size), KTG_CANCELLED);
-    assert_int_equal(render_bytes(context, pattern, "png", 0, NULL, &bytes, &size), KTG_CANCELLED);
+    for (int k = 0; k < 4; k++) {
+        ktg_status status = KTG_CANCELLED;
+        int asked = 0;
+        for (; status == KTG_CANCELLED; asked++) {
+            char *bytes = NULL;
+            size_t size;
+            int left = asked;
+            ktg_context_set_cancel(context, count_down, &left);
+            status = render_bytes(context, pattern, kinds[k], 0, NULL, &bytes, &size);
+            assert_int_equal(status == KTG_OK, left >= 0); /* nobody said stop */
+            ktg_free(bytes);
+        }
+        assert_int_equal(status, KTG_OK);
+        assert_true(asked > 1);
+    }
+    ktg_context_set_cancel(context, NULL, NULL);
     ktg_pattern_free(&pattern);
 }
 
@@ -412,7 +424,8 @@ int main(void) {
                                         drop_context),
         cmocka_unit_test_setup_teardown(a_full_disk_is_told, make_context, drop_context),
         cmocka_unit_test_setup_teardown(short_memory_is_survived, make_context, drop_context),
-        cmocka_unit_test_setup_teardown(drawing_can_be_interrupted, make_context, drop_context),
+        cmocka_unit_test_setup_teardown(drawing_can_be_interrupted_anywhere, make_context,
+                                        drop_context),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
