@@ -5,6 +5,7 @@
 #include "tests/unfold/help.h"
 #include "unfold/arrange.h"
 #include "unfold/ease.h"
+#include "unfold/graft_step.h"
 #include "unfold/leaves.h"
 #include "unfold/net.h"
 #include "unfold/spread.h"
@@ -251,6 +252,26 @@ static void tabs_keep_clear_of_everything_while_branches_move(void **state) {
     drop(&f);
 }
 
+/* Without heat no step makes it worse, and in the end many tabs have more room. */
+static void tabs_push_each_other_to_where_all_have_room(void **state) {
+    fixture f = start(*state, shape_bumpy_sphere(*state));
+    ktg_seam_tab_wish high = wish;
+    ktg_seam_tabs *t;
+    high.height *= 3; /* there is little room */
+    assert_int_equal(ktg_seam_tabs_new(*state, f.a, &high, &t), KTG_OK);
+    assert_int_equal(ktg_seam_tabs_renew(*state, t, &high), KTG_OK);
+    double first = t->price, before = first;
+    for (int i = 0; i < 3000; i++) {
+        assert_int_equal(ktg_tab_step(*state, t, &f.search.random, 1, 0), KTG_OK);
+        assert_true(t->price <= before + 1e-9);
+        before = t->price;
+    }
+    assert_true(before < 0.97 * first);
+    assert_tabs_keep_clear(t);
+    ktg_seam_tabs_free(&t);
+    drop(&f);
+}
+
 static void leaves_are_counted_as_cuts_change(void **state) {
     fixture f = start(*state, shape_bumpy_sphere(*state));
     ktg_seam_tabs *t;
@@ -421,6 +442,7 @@ int main(void) {
         cmocka_unit_test(grafts_keep_the_tree_and_count_their_conflicts),
         cmocka_unit_test(branches_go_over_to_another_piece),
         cmocka_unit_test(tabs_keep_clear_of_everything_while_branches_move),
+        cmocka_unit_test(tabs_push_each_other_to_where_all_have_room),
         cmocka_unit_test(leaves_are_counted_as_cuts_change),
         cmocka_unit_test(ease_is_counted_as_branches_move),
         cmocka_unit_test(ease_brings_copies_together),
