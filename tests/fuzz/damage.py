@@ -258,7 +258,7 @@ def main():
     words.add_argument("--whole", type=int, default=20000, help="bytes of models that are taken as they are, at most")
     words.add_argument("--keep", type=pathlib.Path, help="folder for models that something is wrong with")
     words.add_argument("models", nargs="*", default=[ROOT / "samples"])
-    arguments = words.parse_args()
+    arguments = words.parse_intermixed_args()
     counts, faults = collections.Counter(), 0
     with tempfile.TemporaryDirectory() as folder:
         program = Program(arguments.program, pathlib.Path(folder), arguments.limit)
