@@ -68,25 +68,6 @@ bool cli_read_options(int argc, char **argv, int command, int least_arguments, i
 /* The options of a command, as its --help shows them. */
 void cli_print_options(FILE *stream, int command);
 
-/* "180mm", "18cm", "7in", "0.3m", bare numbers are millimetres. False when it is none. */
-bool cli_parse_length(const char *text, double *mm);
-
-/* ---- options of cloth (cli/options_cloth.c) ----------------------------------------------- */
-
-/* Each takes the value of its option; false when it is not right. */
-bool cli_set_seams(settings *s, const char *text);
-bool cli_set_crease(settings *s, const char *text);
-bool cli_set_max_strain(settings *s, const char *text);
-bool cli_set_fabric(settings *s, const char *text);
-bool cli_set_grain(settings *s, const char *text);
-bool cli_set_on_fold(settings *s, const char *text);
-bool cli_set_no_twins(settings *s, const char *text);
-bool cli_set_no_strain_map(settings *s, const char *text);
-bool cli_set_allowance(settings *s, const char *text);
-bool cli_set_hem(settings *s, const char *text);
-bool cli_set_notch(settings *s, const char *text);
-bool cli_set_notch_every(settings *s, const char *text);
-
 /* Finds or reads the fabric that was named, if one was. */
 KTG_NODISCARD ktg_status cli_take_fabric(ktg_context *context, settings *s);
 

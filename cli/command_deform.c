@@ -25,7 +25,7 @@ typedef struct files {
 /* ---- what may be asked for ------------------------------------------------------------------ */
 
 static ktg_status check_path(ktg_context *context, const settings *s, const char *path) {
-    if (!path)
+    if (!path || strcmp(path, "-") == 0)
         return KTG_OK;
     if (ktg_target_same(path, s->arguments[0]))
         return ktg_fail(context, KTG_ARGUMENT, "%s: is the model itself; name another output",

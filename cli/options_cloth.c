@@ -1,21 +1,10 @@
 /* cli/options_cloth.c - the options that only cloth has. */
-#include "cli/cli.h"
+#include "cli/option_lines.h"
+#include "cli/words.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #define PI 3.14159265358979323846
-
-/* A number from least to most, and behind it nothing but, perhaps, `unit`. */
-static bool parse_amount(const char *text, const char *unit, double least, double most,
-                         double *amount) {
-    char *end;
-    double value = strtod(text, &end);
-    if (end == text || (*end && strcmp(end, unit) != 0) || !(value >= least && value <= most))
-        return false;
-    *amount = value;
-    return true;
-}
 
 static const struct {
     const char *word;
@@ -54,7 +43,7 @@ bool cli_set_seams(settings *s, const char *text) {
 
 bool cli_set_crease(settings *s, const char *text) {
     double degrees;
-    if (!parse_amount(text, "deg", 0, 180, &degrees))
+    if (!cli_parse_amount(text, "deg", 0, 180, &degrees))
         return false;
     s->pipeline.flatten.crease = degrees * PI / 180;
     return true;
@@ -62,7 +51,7 @@ bool cli_set_crease(settings *s, const char *text) {
 
 bool cli_set_max_strain(settings *s, const char *text) {
     double percent;
-    if (!parse_amount(text, "%", 0, 1000, &percent))
+    if (!cli_parse_amount(text, "%", 0, 1000, &percent))
         return false;
     s->pipeline.flatten.strain_limit = percent / 100;
     return true;
@@ -89,7 +78,7 @@ bool cli_set_grain(settings *s, const char *text) {
     size_t k = flatten->grain_count, length = equals ? (size_t)(equals - text) : 0;
     double degrees;
     if (length == 0 || length >= sizeof s->grain_panels[0] || k == CLI_MOST_OUTPUTS ||
-        !parse_amount(equals + 1, "deg", -360, 360, &degrees))
+        !cli_parse_amount(equals + 1, "deg", -360, 360, &degrees))
         return false;
     memcpy(s->grain_panels[k], text, length);
     s->grain_panels[k][length] = 0;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """tests/fuzz/damage.py - damages models, and looks whether the program stands it.
 
-    damage.py PROGRAM [--count 5000] [--seed 1] [--keep FOLDER] [MODEL|FOLDER...]
+    damage.py PROGRAM [--count 5000] [--seed 1] [--keep FOLDER] [--whole BYTES] [MODEL|FOLDER...]
 
 Models are those named, else samples/; each also as a small one in every format. One to three damages a time: cut
 short, bits, lines and numbers changed, corners and faces moved about, points rounded so that they coincide. Then the
@@ -29,7 +29,6 @@ sys.path.insert(0, str(ROOT / "tests" / "cli"))
 import check_net  # noqa: E402
 
 MOST_BYTES = 1 << 20
-MOST_WHOLE_BYTES = 20000  # of models that are taken as they are
 SMALL_FACES = 90
 COMMANDS = {"info": [], "simplify": ["--faces", "40", "-o"],
             "unfold": ["--effort", "quick", "-o"], "flatten": ["--unit", "cm", "--effort", "quick", "-o"]}
@@ -231,8 +230,8 @@ def fault(program, model, command, counts):
 
 # ---- models --------------------------------------------------------------------------------------
 
-def sources(program, named):
-    """(bytes, ending) of each model, and of a small one in each format."""
+def sources(program, named, whole_bytes):
+    """(bytes, ending) of each model that is no larger, and of a small one in each format."""
     paths = []
     for path in map(pathlib.Path, named):
         paths += sorted(path.iterdir()) if path.is_dir() else [path]
@@ -240,7 +239,7 @@ def sources(program, named):
     for path in paths:
         if path.suffix.lower() not in (".obj", ".stl", ".ply", ".off"):
             continue
-        if path.stat().st_size < MOST_WHOLE_BYTES:
+        if path.stat().st_size <= whole_bytes:
             models.append((path.read_bytes(), path.suffix.lower()))
         for ending in (".obj", ".obj", ".obj", ".stl", ".ply", ".off"):
             small = program.folder / ("small" + ending)
@@ -256,13 +255,14 @@ def main():
     words.add_argument("--first", type=int, default=0, help="the number of the first one")
     words.add_argument("--seed", type=int, default=1)
     words.add_argument("--limit", type=int, default=10, help="seconds of processor time for a run")
+    words.add_argument("--whole", type=int, default=20000, help="bytes of models that are taken as they are, at most")
     words.add_argument("--keep", type=pathlib.Path, help="folder for models that something is wrong with")
     words.add_argument("models", nargs="*", default=[ROOT / "samples"])
-    arguments = words.parse_args()
+    arguments = words.parse_intermixed_args()
     counts, faults = collections.Counter(), 0
     with tempfile.TemporaryDirectory() as folder:
         program = Program(arguments.program, pathlib.Path(folder), arguments.limit)
-        models = sources(program, arguments.models)
+        models = sources(program, arguments.models, arguments.whole)
         for number in range(arguments.first, arguments.first + arguments.count):
             r = random.Random("%d %d" % (arguments.seed, number))
             data, ending = r.choice(models)
