@@ -1,4 +1,5 @@
 /* The pages that tell how to build the model. */
+#include "pdf_words.h"
 #include "picture.h"
 #include "strip.h"
 
@@ -71,6 +72,27 @@ static void a_guide_comes_last_unless_it_is_not_wished_for(void **state) {
     ktg_pattern *pattern = make_rings(*state, 1);
     assert_int_equal(count_pages(*state, pattern, false), 1);
     assert_int_equal(count_pages(*state, pattern, true), 2);
+    ktg_pattern_free(&pattern);
+}
+
+static void a_guide_says_of_what_it_is_and_what_there_is_to_do(void **state) {
+    static const char *const words[] = {"How to build it",      "strip",
+                                        "3 pieces on 3 sheets", "3 seams with numbers, 3 steps",
+                                        "Tools: scissors",      "From the front",
+                                        "From behind"};
+    if (!installed("pdftotext"))
+        skip();
+    ktg_pattern *pattern = make_rings(*state, 3);
+    char *bytes;
+    size_t size;
+    assert_int_equal(render_bytes(*state, pattern, "pdf", 0, NULL, &bytes, &size), KTG_OK);
+    char *text = tell("pdftotext -f 4 -layout %s -", bytes, size); /* behind the sheets */
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (!strstr(text, words[i]))
+            fail_msg("%s is not in the guide: %s", words[i], text);
+    assert_non_null(strstr(text, "How to build it\nstrip\n"));
+    free(text);
+    ktg_free(bytes);
     ktg_pattern_free(&pattern);
 }
 
@@ -218,6 +240,7 @@ static void without_sections_there_is_the_model(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_guide_comes_last_unless_it_is_not_wished_for),
+        cmocka_unit_test(a_guide_says_of_what_it_is_and_what_there_is_to_do),
         cmocka_unit_test(a_hundred_bodies_take_a_few_pages),
         cmocka_unit_test(tiny_and_huge_sheets_have_a_guide_on_a4),
         cmocka_unit_test(steps_show_their_seams),

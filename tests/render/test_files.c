@@ -3,6 +3,7 @@
 #include <setjmp.h>
 #include <stdarg.h>
 
+#include "tests/render/pdf_words.h"
 #include "tests/render/strip.h"
 #include "tests/short_memory.h"
 
@@ -30,28 +31,6 @@ static size_t count_text(const char *bytes, size_t size, const char *text) {
 
 static size_t count_pages(const char *bytes, size_t size) {
     return count_text(bytes, size, "/Type /Page") - count_text(bytes, size, "/Type /Pages");
-}
-
-static bool installed(const char *program) {
-    char command[100];
-    snprintf(command, sizeof command, "command -v %s >/dev/null 2>&1", program);
-    return system(command) == 0;
-}
-
-/* What `program` (with options, "%s" for the file) prints about a PDF of these bytes. */
-static char *tell(const char *program, const char *bytes, size_t size) {
-    char path[] = "/tmp/ktg-pdf-XXXXXX", command[200];
-    char *text = calloc(1, 100000);
-    FILE *file = fdopen(mkstemp(path), "wb");
-    assert_int_equal(fwrite(bytes, 1, size, file), size);
-    fclose(file);
-    snprintf(command, sizeof command, program, path);
-    FILE *pipe = popen(command, "r");
-    assert_non_null(pipe);
-    assert_true(fread(text, 1, 99999, pipe) > 0);
-    assert_int_equal(pclose(pipe), 0);
-    unlink(path);
-    return text;
 }
 
 static void a_pdf_has_a_page_per_sheet(void **state) {
