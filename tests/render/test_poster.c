@@ -5,6 +5,7 @@
 #include <setjmp.h>
 #include <stdarg.h>
 
+#include "tests/render/pdf_words.h"
 #include "tests/render/picture.h"
 #include "tests/render/strip.h"
 
@@ -150,6 +151,24 @@ static void a_cover_with_the_maps_comes_first(void **state) {
     ktg_pattern_free(&pattern);
 }
 
+static void the_map_names_its_tiles(void **state) {
+    static const char *const words[] = {"A1", "A2", "sheet 1", "sheet 2"};
+    ktg_context *context = *state;
+    if (!installed("pdftotext"))
+        skip();
+    ktg_pattern *pattern = make_poster(context);
+    char *bytes;
+    size_t size;
+    assert_int_equal(render_bytes(context, pattern, "pdf", 0, NULL, &bytes, &size), KTG_OK);
+    char *text = tell("pdftotext -l 1 -layout %s -", bytes, size); /* the cover */
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (!strstr(text, words[i]))
+            fail_msg("%s is not on the cover: %s", words[i], text);
+    free(text);
+    ktg_free(bytes);
+    ktg_pattern_free(&pattern);
+}
+
 static void several_pieces_come_with_a_picture_on_the_last_sheet(void **state) {
     ktg_context *context = *state;
     ktg_pattern *pattern = make_strips(context, 2, 210, 297, 10, 40, 200);
@@ -220,6 +239,7 @@ int main(void) {
         CASE(neighbours_join_where_the_crosses_meet),
         CASE(the_neighbours_name_stands_behind_its_arrow),
         CASE(tiles_are_named_by_row_and_column),
+        CASE(the_map_names_its_tiles),
         CASE(several_pieces_come_with_a_picture_on_the_last_sheet),
         CASE(the_picture_stands_upright),
         CASE(a_cover_with_the_maps_comes_first),
