@@ -58,14 +58,15 @@ static void check_lengths_of(ktg_check *check, uint32_t i) {
             uint32_t h = along(check, seam, k, s);
             sum[s] += ktg_check_distance2(ktg_check_start2(check, h), ktg_check_end2(check, h));
         }
-    double least = 1e-5 * check->reach3; /* as for the lengths of edges */
+    bool paper = check->pattern->mode == KTG_PAPER;
+    double least = (paper ? 1e-3 : 1e-5) * check->reach3; /* as for the lengths of edges */
     for (int s = 0; s < 2; s++)
         if (!(fabs(seam->lengths_mm[s] - sum[s]) <= KTG_VERIFY_LENGTH * fmax(sum[s], least)))
             ktg_check_problem(check,
                               "Seam %u is said to be %.9g mm long in piece %u, but it is "
                               "%.9g.",
                               i + 1, seam->lengths_mm[s], seam->pieces[s] + 1, sum[s]);
-    double ease = check->pattern->mode == KTG_PAPER ? 2 * KTG_VERIFY_LENGTH : KTG_VERIFY_EASE;
+    double ease = paper ? 2 * KTG_VERIFY_LENGTH : KTG_VERIFY_EASE;
     if (!(fabs(sum[0] - sum[1]) <= ease * fmax(fmax(sum[0], sum[1]), least)))
         ktg_check_problem(check, "The two sides of seam %u differ: %.9g and %.9g mm.", i + 1,
                           sum[0], sum[1]);

@@ -16,7 +16,8 @@ import json
 import math
 import sys
 
-LENGTH = 1e-9     # relative error of an edge's length
+LENGTH = 1e-9     # relative error of an edge's length, ...
+SHORT = 1e-12     # ... and, of the largest coordinate, what a chain of a thousand needles may lose
 NOISE = 1e-14     # what coordinates cannot tell, of the largest one
 POSITION = 1e-9   # of a vertex against the model, over the model's diagonal
 FACE_MM = 1e-5    # how deep two faces may lie in each other, ...
@@ -79,6 +80,9 @@ def area_vector(corners):
 
 
 def signed_area(corners):
+    """From the first corner: of a speck far from the origin nothing would be left."""
+    x, y = corners[0]
+    corners = [(a - x, b - y) for a, b in corners]
     return sum(a[0] * b[1] - a[1] * b[0]
                for a, b in zip(corners, corners[1:] + corners[:1])) / 2
 
@@ -163,7 +167,7 @@ def check_faces(net, problems):
             problems.add('%s is mirrored', net.name(face))
         for k, wanted in enumerate(wanted):
             found = distance(flat[k], flat[(k + 1) % 3])
-            if abs(found - wanted) > LENGTH * wanted + noise:
+            if abs(found - wanted) > LENGTH * wanted + noise / NOISE * SHORT:
                 problems.add('%s, side %d: %.12g long instead of %.12g', net.name(face), k, found,
                              wanted)
 
