@@ -222,9 +222,11 @@ static void memory_may_run_out_anywhere(void **state) {
     uint64_t nth = 0;
     while (status == KTG_MEMORY) {
         ktg_mesh *mesh = house(state);
-        uint32_t edge[] = {mesh->faces[33], mesh->faces[34]};
+        uint32_t edges[2 * 6]; /* more than lists have room for at first */
+        for (uint32_t k = 0; k < 6; k++)
+            memcpy(edges + 2 * k, mesh->faces + 3 * (11 - k), 2 * sizeof *edges);
         ktg_context_fail_allocation(context_of(state), ++nth);
-        status = ktg_mesh_mark(context_of(state), mesh, edge, 1);
+        status = ktg_mesh_mark(context_of(state), mesh, edges, 6);
         if (status == KTG_OK)
             status = ktg_mesh_omit(context_of(state), mesh, &name, 1);
         if (status == KTG_OK)
