@@ -54,6 +54,8 @@ void *ktg_copy_array(ktg_context *context, const void *items, size_t count, size
     return copy;
 }
 
+/* Nothing is freed often, and sanitizers take their time for each call. */
 void ktg_free(void *memory) {
-    free(memory);
+    if (memory)
+        free(memory);
 }
