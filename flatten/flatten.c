@@ -123,6 +123,10 @@ ktg_status ktg_flatten(ktg_context *context, const ktg_mesh *mesh, const char *n
     ktg_flat_surface surface = {
         .options = options ? options : &defaults, .model = mesh, .name = name, .report = &measured};
     ktg_status status = flatten(context, &surface, pattern);
+    if (status == KTG_OK) /* "stop" may have been the answer to who asked about finishing only */
+        status = ktg_check_cancel(context);
+    if (status != KTG_OK)
+        ktg_pattern_free(pattern);
     ktg_progress(context, "flatten", 1, NULL);
     measured.seconds = ktg_clock_seconds() - start;
     if (report)

@@ -137,9 +137,8 @@ static ktg_status run(ktg_context *context, lead *l, bool *arrived) {
     start(l);
     choose_swept(l);
     for (int round = 0; round < most_rounds && !*arrived; round++) {
-        KTG_TRY(ktg_check_cancel(context));
-        if (ktg_wants_finish(context))
-            return KTG_OK;
+        if (ktg_wants_finish(context)) /* or stop */
+            return ktg_check_cancel(context);
         ktg_progress(context, "warp", (double)round / most_rounds, NULL);
         double part = advance(l);
         *arrived = part >= 1;

@@ -178,8 +178,9 @@ static double take_step(ktg_shape *s, ktg_vec2 *y, double energy) {
 
 static ktg_status refine(ktg_context *context, ktg_shape *s, uint32_t rounds, ktg_vec2 *y,
                          uint32_t *done) {
-    while (*done < rounds && !ktg_wants_finish(context)) {
-        KTG_TRY(ktg_check_cancel(context));
+    while (*done < rounds) {
+        if (ktg_wants_finish(context)) /* or stop */
+            return ktg_check_cancel(context);
         double energy = energy_at(s, y, true);
         KTG_TRY(find_step(context, s, y));
         double after = take_step(s, y, energy);

@@ -1,6 +1,7 @@
 /* Edit files: what they select, and what is wrong with them. */
 #include "core/vec.h"
 #include "shapes.h"
+#include "tests/short_memory.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -194,6 +195,8 @@ static void what_is_wrong_is_told_with_its_line(void **state) {
         {"[fixed f]\nset = vertex 99999999999999999999", 2, "from 1 to 9"},
         {"[fixed f]\nset = vertex 1.5", 2, "from 1 to 9"},
         {"[fixed f]\nset = boundary close 1 2 3", 2, "near X Y Z"},
+        {"[fixed f]\nset = boundary near 1 2", 2, "3 numbers are wanted"},
+        {"[fixed f]\nset = component near 1 x 3", 2, "\"x\" is not a number"},
         {"[set]\nadd = all", 1, "a set wants a name"},
         {"[set all]\nadd = all", 1, "means a selection"},
         {"[set a]\nadd = all\n[set a]\nadd = all", 3, "in line 1"},
@@ -369,7 +372,7 @@ static void memory_that_runs_out_is_told(void **state) {
     for (uint64_t k = 1; status != KTG_OK; k++, failures++) {
         ktg_context_fail_allocation(d->context, k);
         status = whole(d);
-        ktg_context_fail_allocation(d->context, 0);
+        end_short_memory(d->context, status);
         if (status != KTG_OK && status != KTG_MEMORY)
             fail_msg("allocation %llu: %s", (unsigned long long)k, ktg_context_message(d->context));
     }

@@ -1,5 +1,6 @@
 /* Files of handles: what they say, and what they must not. */
 #include "tests/flatten/panels.h"
+#include "tests/short_memory.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -118,7 +119,7 @@ static void short_memory_is_told(void **state) {
     while (status != KTG_OK) {
         ktg_context_fail_allocation(context, ++k);
         status = ktg_handles_read(context, path, shape, &list);
-        ktg_context_fail_allocation(context, 0);
+        end_short_memory(context, status);
         assert_true(status == KTG_OK || status == KTG_MEMORY);
         ktg_handle_list_free(&list);
     }

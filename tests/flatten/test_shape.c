@@ -1,46 +1,10 @@
 /* Shapes that follow handles: Igarashi & Igarashi 2009, sections 3 to 6. */
-#include "flatten/shape.h"
-#include "tests/flatten/panels.h"
-
-#include <string.h>
-
-enum { SIDE = 12, ROW = SIDE + 1, COUNT = ROW * ROW };
-
-static ktg_vec3 square(double u, double v) {
-    return (ktg_vec3){100 * u, 100 * v, 0};
-}
-
-static ktg_vec3 bar(double u, double v) {
-    return (ktg_vec3){100 * u, 20 * v, 0};
-}
+#include "tests/flatten/shape_help.h"
+#include "tests/short_memory.h"
 
 /* Far away, tiny, and seen from behind. */
 static ktg_vec3 mirrored(double u, double v) {
     return (ktg_vec3){1e-4 * (7 - u), 1e-4 * v - 3e-3, 5};
-}
-
-static ktg_shape *registered(ktg_context *context, surface *point, ktg_edge_weight weight) {
-    ktg_mesh *mesh = grid_panel(context, point, SIDE);
-    ktg_shape *shape;
-    assert_int_equal(ktg_shape_register(context, mesh, weight, &shape), KTG_OK);
-    ktg_mesh_free(&mesh);
-    return shape;
-}
-
-static ktg_handle at(ktg_context *context, const ktg_shape *shape, double x, double y) {
-    ktg_handle handle;
-    assert_int_equal(ktg_shape_handle_at(context, shape, (ktg_vec2){x, y}, &handle), KTG_OK);
-    return handle;
-}
-
-static void compile(ktg_context *context, ktg_shape *shape, const ktg_handle *handles,
-                    uint32_t count) {
-    assert_int_equal(ktg_shape_compile(context, shape, handles, count), KTG_OK);
-}
-
-static void update(ktg_context *context, ktg_shape *shape, const ktg_vec2 *targets,
-                   ktg_vec2 *positions) {
-    assert_int_equal(ktg_shape_update(context, shape, targets, positions), KTG_OK);
 }
 
 static ktg_vec2 transform(double c, double s, ktg_vec2 p) {
@@ -52,13 +16,6 @@ static double farthest(const ktg_vec2 *a, const ktg_vec2 *b, uint32_t count) {
     for (uint32_t v = 0; v < count; v++)
         most = fmax(most, ktg_length2(ktg_sub2(a[v], b[v])));
     return most;
-}
-
-static ktg_shape_report measured(const ktg_shape *shape, const ktg_vec2 *targets,
-                                 const ktg_vec2 *positions) {
-    ktg_shape_report report;
-    ktg_shape_measure(shape, targets, positions, NULL, &report);
-    return report;
 }
 
 static void exact_handles_are_where_they_are_wanted(void **state) {
@@ -262,115 +219,6 @@ static void a_shape_seen_from_behind_far_away_and_tiny_is_no_different(void **st
     ktg_shape_free(&shape);
 }
 
-static void refinement_brings_back_what_was_folded_and_keeps_handles(void **state) {
-    ktg_context *context = *state;
-    for (int weight = 0; weight < 2; weight++) {
-        ktg_shape *shape = registered(context, bar, (ktg_edge_weight)weight);
-        ktg_handle handles[] = {ktg_handle_at_vertex(0), ktg_handle_at_vertex(SIDE * ROW),
-                                ktg_handle_at_vertex(SIDE), ktg_handle_at_vertex(COUNT - 1)};
-        ktg_vec2 targets[] = {{0, 0}, {0, 20}, {100, 20}, {100, 0}}, positions[COUNT];
-        uint32_t rounds, count = 0;
-        bool folded[2 * SIDE * SIDE];
-        compile(context, shape, handles, 4);
-        update(context, shape, targets, positions);
-        ktg_shape_report before, after;
-        ktg_shape_measure(shape, targets, positions, folded, &before);
-        for (uint32_t f = 0; f < before.faces; f++)
-            count += folded[f];
-        assert_true(before.folded_faces > 0 && before.folded_faces == count);
-        assert_true(folded[before.first_folded]);
-        assert_int_equal(ktg_shape_refine(context, shape, targets, 500, positions, &rounds),
-                         KTG_OK);
-        after = measured(shape, targets, positions);
-        assert_true(rounds > 0 && after.energy < before.energy);
-        assert_true(after.folded_faces == 0 && after.first_folded == KTG_NONE);
-        assert_true(after.handle_error < 1e-9 * 100);
-        ktg_shape_free(&shape);
-    }
-}
-
-/* At the end of refinement no vertex wants to move: the gradient is what handles hold. */
-static void refinement_ends_where_the_energy_is_least(void **state) {
-    ktg_context *context = *state;
-    ktg_shape *shape = registered(context, bar, KTG_WEIGHT_COTANGENT);
-    ktg_handle handles[] = {ktg_handle_at_vertex(0), ktg_handle_at_vertex(SIDE * ROW),
-                            ktg_handle_at_vertex(SIDE), ktg_handle_at_vertex(COUNT - 1)};
-    ktg_vec2 targets[] = {{0, 0}, {0, 20}, {75, 50}, {57, 60}}, positions[COUNT];
-    ktg_vec2 z[COUNT], slope[COUNT];
-    compile(context, shape, handles, 4);
-    update(context, shape, targets, positions);
-    assert_int_equal(ktg_shape_refine(context, shape, targets, 5000, positions, NULL), KTG_OK);
-    for (uint32_t v = 0; v < COUNT; v++)
-        z[v] = ktg_shape_inward(shape, positions[v]);
-    (void)ktg_energy_value(shape->panel, shape->rests, KTG_ENERGY_ARAP, z, slope);
-    for (uint32_t v = 0; v < COUNT; v++)
-        if (v != 0 && v != SIDE * ROW && v != SIDE && v != COUNT - 1)
-            assert_true(ktg_length2(slope[v]) < 1e-3);
-    ktg_shape_free(&shape);
-}
-
-/* Local/global iteration ends with folds here: the least energy has some. */
-static void handles_are_led_where_refinement_cannot_help(void **state) {
-    ktg_context *context = *state;
-    for (int weight = 0; weight < 2; weight++) {
-        ktg_shape *shape = registered(context, square, (ktg_edge_weight)weight);
-        ktg_handle handles[] = {ktg_handle_at_vertex(0), ktg_handle_at_vertex(SIDE),
-                                ktg_handle_at_vertex(SIDE * ROW), ktg_handle_at_vertex(COUNT - 1),
-                                at(context, shape, 50, 50)};
-        ktg_vec2 targets[] = {{0, 0}, {100, 0}, {0, 100}, {100, 100}, {80, 80}}, positions[COUNT];
-        bool arrived;
-        compile(context, shape, handles, 5);
-        update(context, shape, targets, positions);
-        assert_int_equal(ktg_shape_refine(context, shape, targets, 500, positions, NULL), KTG_OK);
-        assert_true(measured(shape, targets, positions).folded_faces > 0);
-        assert_int_equal(ktg_shape_lead(context, shape, targets, positions, &arrived), KTG_OK);
-        ktg_shape_report report = measured(shape, targets, positions);
-        assert_true(arrived && report.folded_faces == 0 && report.stretch_least > 0.1);
-        assert_true(report.handle_error < 1e-9 * 100);
-        ktg_shape_free(&shape);
-    }
-}
-
-/* The middle of a fine square, nearly to its side: only sweeps over single vertices make room. */
-static void a_fine_mesh_takes_sweeps(void **state) {
-    enum { FINE = 40, FINE_COUNT = (FINE + 1) * (FINE + 1) };
-    ktg_context *context = *state;
-    ktg_mesh *mesh = grid_panel(context, square, FINE);
-    ktg_shape *shape;
-    assert_int_equal(ktg_shape_register(context, mesh, KTG_WEIGHT_UNIT, &shape), KTG_OK);
-    ktg_handle handles[] = {at(context, shape, 2, 50), at(context, shape, 50, 50),
-                            at(context, shape, 98, 50)};
-    ktg_vec2 targets[] = {{2, 50}, {90, 50}, {98, 50}}, positions[FINE_COUNT];
-    bool arrived;
-    compile(context, shape, handles, 3);
-    assert_int_equal(ktg_shape_lead(context, shape, targets, positions, &arrived), KTG_OK);
-    assert_true(arrived && measured(shape, targets, positions).folded_faces == 0);
-    ktg_shape_free(&shape);
-    ktg_mesh_free(&mesh);
-}
-
-/* Two points of a triangle change places: no way leads there. */
-static void handles_that_cannot_arrive_leave_everything_as_it_was(void **state) {
-    ktg_context *context = *state;
-    const ktg_vec3 corners[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-    ktg_mesh *mesh = small_mesh(context, corners, 3, (const uint32_t[]){0, 1, 2}, 1);
-    ktg_shape *shape;
-    assert_int_equal(ktg_shape_register(context, mesh, KTG_WEIGHT_UNIT, &shape), KTG_OK);
-    ktg_handle handles[] = {ktg_handle_at_vertex(0), ktg_handle_at_vertex(1),
-                            ktg_handle_at_vertex(2)};
-    ktg_vec2 targets[] = {{0, 0}, {0, 1}, {1, 0}}, positions[3], before[3];
-    bool arrived;
-    compile(context, shape, handles, 3);
-    update(context, shape, targets, positions);
-    assert_int_equal(measured(shape, targets, positions).folded_faces, 1);
-    memcpy(before, positions, sizeof before);
-    assert_int_equal(ktg_shape_lead(context, shape, targets, positions, &arrived), KTG_OK);
-    assert_false(arrived);
-    assert_memory_equal(positions, before, sizeof before);
-    ktg_shape_free(&shape);
-    ktg_mesh_free(&mesh);
-}
-
 /* ---- refusals ----------------------------------------------------------------------------- */
 
 static void refused(ktg_context *context, ktg_mesh *mesh, const char *words) {
@@ -455,14 +303,12 @@ static void short_memory_is_told_wherever_it_runs_out(void **state) {
     while (status != KTG_OK && k < 1000) {
         ktg_context_fail_allocation(context, ++k);
         status = whole_job(context, mesh);
-        ktg_context_fail_allocation(context, 0);
+        end_short_memory(context, status);
         assert_true(status == KTG_OK || status == KTG_MEMORY);
     }
     assert_true(k > 20 && k < 1000);
     ktg_mesh_free(&mesh);
 }
-
-#define TEST(name) cmocka_unit_test_setup_teardown(name, make_context, drop_context)
 
 int main(void) {
     const struct CMUnitTest tests[] = {
@@ -475,11 +321,6 @@ int main(void) {
         TEST(soft_handles_solve_the_papers_equation),
         TEST(one_handle_moves_and_none_leaves_the_shape_as_it_is),
         TEST(a_shape_seen_from_behind_far_away_and_tiny_is_no_different),
-        TEST(refinement_brings_back_what_was_folded_and_keeps_handles),
-        TEST(refinement_ends_where_the_energy_is_least),
-        TEST(handles_are_led_where_refinement_cannot_help),
-        TEST(a_fine_mesh_takes_sweeps),
-        TEST(handles_that_cannot_arrive_leave_everything_as_it_was),
         TEST(what_is_no_flat_shape_is_refused),
         TEST(handles_that_make_no_sense_are_refused),
         TEST(a_handle_too_many_in_a_triangle_is_refused),

@@ -2,6 +2,7 @@
  * equally long, grain and fabric. */
 #include "flatten/kernel.h"
 #include "tests/flatten/panels.h"
+#include "tests/short_memory.h"
 
 #include <string.h>
 
@@ -318,7 +319,7 @@ static void every_failing_allocation_is_survived(void **state) {
         ktg_pattern_free(&pattern);
         assert_true(nth < 20000);
     }
-    ktg_context_fail_allocation(*state, 0);
+    end_short_memory(*state, status);
     assert_int_equal(status, KTG_OK);
     ktg_mesh_free(&mesh);
 }

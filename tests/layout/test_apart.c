@@ -22,8 +22,12 @@ static void crossing_sides_overlap(void **state) {
     (void)state;
     const ktg_vec2 corner[] = {{9, 9}, {19, 9}, {19, 19}, {9, 19}};
     const ktg_vec2 bar[] = {{-5, 4}, {15, 4}, {15, 6}, {-5, 6}};
+    /* no side has its middle in the other polygon */
+    const ktg_vec2 post[] = {{1, -2}, {3, -2}, {3, 30}, {1, 30}};
     assert_true(NOT_APART(square, corner, 0));
     assert_true(NOT_APART(square, bar, 0));
+    assert_true(NOT_APART(square, post, 0));
+    assert_true(NOT_APART(bar, post, 0));
 }
 
 static void flush_overlaps_are_seen(void **state) {

@@ -3,6 +3,7 @@
 #define KTG_TESTS_MESH_READ_HELP_H
 
 #include "mesh/mesh.h"
+#include "tests/short_memory.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -137,7 +138,7 @@ static inline void fail_each_allocation(fixture *f, const char *name, const void
         status = read_bytes(f, name, data, size, &mesh);
         assert_true(status == KTG_OK ? mesh != NULL : status == KTG_MEMORY && mesh == NULL);
     }
-    ktg_context_fail_allocation(f->context, 0);
+    end_short_memory(f->context, status);
     assert_int_equal(status, KTG_OK);
     ktg_mesh_free(&mesh);
 }

@@ -105,6 +105,19 @@ static inline void weld_builder(builder *b) {
             }
 }
 
+/* A flat square of n x n quadrangles, each 1 x 1. */
+static inline void add_plate(builder *b, uint32_t n) {
+    uint32_t first = b->vertex_count;
+    for (uint32_t i = 0; i <= n; i++)
+        for (uint32_t j = 0; j <= n; j++)
+            add_point(b, j, i, 0);
+    for (uint32_t i = 0; i < n; i++)
+        for (uint32_t j = 0; j < n; j++) {
+            uint32_t at = first + (n + 1) * i + j;
+            add_quad(b, at, at + 1, at + n + 2, at + n + 1);
+        }
+}
+
 /* A sphere of `rings` x `around` quadrangles and two fans, whose radius waves by `bumps`. */
 static inline void add_sphere(builder *b, double x, double y, double z, double radius, double bumps,
                               uint32_t rings, uint32_t around) {

@@ -1,5 +1,6 @@
 /* tests/mesh/test_check.c - each kind of fault is found and nothing else is. */
 #include "shapes.h"
+#include "tests/short_memory.h"
 
 static void a_cube_is_clean(void **state) {
     builder *b = build();
@@ -214,7 +215,7 @@ static void memory_may_run_out_anywhere(void **state) {
         ktg_context_fail_allocation(context_of(state), ++nth);
         status = ktg_mesh_check(context_of(state), mesh, true, &r);
     }
-    ktg_context_fail_allocation(context_of(state), 0);
+    end_short_memory(context_of(state), status);
     assert_int_equal(status, KTG_OK);
     assert_true(nth > 10);
     ktg_mesh_free(&mesh);

@@ -1,6 +1,7 @@
 /* Marked edges on their way through repair, and faces that are left out by name. */
 #include "core/memory.h"
 #include "shapes.h"
+#include "tests/short_memory.h"
 
 static void mark(void **state, ktg_mesh *mesh, uint32_t a, uint32_t b) {
     const uint32_t edge[] = {a, b};
@@ -221,14 +222,16 @@ static void memory_may_run_out_anywhere(void **state) {
     uint64_t nth = 0;
     while (status == KTG_MEMORY) {
         ktg_mesh *mesh = house(state);
-        uint32_t edge[] = {mesh->faces[33], mesh->faces[34]};
+        uint32_t edges[2 * 6]; /* more than lists have room for at first */
+        for (uint32_t k = 0; k < 6; k++)
+            memcpy(edges + 2 * k, mesh->faces + 3 * (11 - k), 2 * sizeof *edges);
         ktg_context_fail_allocation(context_of(state), ++nth);
-        status = ktg_mesh_mark(context_of(state), mesh, edge, 1);
+        status = ktg_mesh_mark(context_of(state), mesh, edges, 6);
         if (status == KTG_OK)
             status = ktg_mesh_omit(context_of(state), mesh, &name, 1);
         if (status == KTG_OK)
             status = ktg_mesh_repair(context_of(state), mesh, NULL);
-        ktg_context_fail_allocation(context_of(state), 0);
+        end_short_memory(context_of(state), status);
         assert_true(status == KTG_OK || status == KTG_MEMORY);
         ktg_mesh_free(&mesh);
     }

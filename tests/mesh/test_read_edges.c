@@ -1,5 +1,6 @@
 /* Files that name edges: text, OBJ `l` elements, and what is wrong with them. */
 #include "read_help.h"
+#include "tests/short_memory.h"
 
 /* A square of four triangles around its middle (5), and a loose square whose vertices 7 and 10
  * coincide with 2 and 3. */
@@ -149,7 +150,7 @@ static void memory_may_run_out_anywhere(void **state) {
         ktg_context_fail_allocation(f->context, ++nth);
         status = ktg_mesh_read_edges(f->context, f->path, mesh, &list);
     }
-    ktg_context_fail_allocation(f->context, 0);
+    end_short_memory(f->context, status);
     assert_int_equal(status, KTG_OK);
     assert_true(nth > 5);
     assert_int_equal(unlink(f->path), 0);

@@ -1,5 +1,6 @@
 /* tests/mesh/test_simplify.c - fewer faces, and nothing else that was promised is lost. */
 #include "shapes.h"
+#include "tests/short_memory.h"
 
 /* Simplifies and compares with what was there before. */
 static ktg_simplify_report simplify(void **state, ktg_mesh *mesh, uint32_t target) {
@@ -100,17 +101,10 @@ static void the_borders_of_a_tube_keep_their_place(void **state) {
     ktg_mesh_free(&mesh);
 }
 
-/* A square of n x n quadrangles with two materials side by side. */
+/* A plate with two materials side by side. */
 static ktg_mesh *plate(void **state, uint32_t n) {
     builder *b = build();
-    for (uint32_t i = 0; i <= n; i++)
-        for (uint32_t j = 0; j <= n; j++)
-            add_point(b, j, i, 0);
-    for (uint32_t i = 0; i < n; i++)
-        for (uint32_t j = 0; j < n; j++) {
-            uint32_t at = (n + 1) * i + j;
-            add_quad(b, at, at + 1, at + n + 2, at + n + 1);
-        }
+    add_plate(b, n);
     ktg_mesh *mesh = finish(state, b);
     mesh->face_material = calloc(mesh->face_count, sizeof *mesh->face_material);
     for (uint32_t f = 0; f < mesh->face_count; f++)
@@ -288,18 +282,36 @@ static void only_manifolds_are_taken(void **state) {
     }
 }
 
-static ktg_wish stop_now(void *user) {
-    (void)user;
-    return KTG_STOP;
+/* Stops when it is asked for the n-th time, and counts down to that. */
+static ktg_wish stop_at(void *user) {
+    int *left = user;
+    return --*left > 0 ? KTG_GO_ON : KTG_STOP;
 }
 
-static void it_can_be_cancelled_and_memory_may_run_out(void **state) {
+static void it_can_be_cancelled_whenever_it_asks(void **state) {
+    ktg_status status = KTG_CANCELLED;
+    int asked = 0;
+    for (int nth = 1; status == KTG_CANCELLED; nth++) {
+        builder *b = build();
+        add_sphere(b, 0, 0, 0, 1, 0.1, 20, 30);
+        ktg_mesh *mesh = finish(state, b);
+        uint32_t before = mesh->face_count;
+        int left = nth;
+        ktg_context_set_cancel(context_of(state), stop_at, &left);
+        status = ktg_mesh_simplify(context_of(state), mesh, 20, NULL);
+        ktg_context_set_cancel(context_of(state), NULL, NULL);
+        assert_true(status == KTG_OK ? left > 0 : left == 0); /* the first answer counts */
+        assert_int_equal(status == KTG_OK, mesh->face_count < before);
+        asked = nth - left;
+        ktg_mesh_free(&mesh);
+    }
+    assert_int_equal(status, KTG_OK);
+    assert_true(asked >= 2);
+}
+
+static void memory_may_run_out(void **state) {
     ktg_mesh *mesh = plate(state, 6);
     ktg_simplify_report r;
-    ktg_context_set_cancel(context_of(state), stop_now, NULL);
-    assert_int_equal(ktg_mesh_simplify(context_of(state), mesh, 10, &r), KTG_CANCELLED);
-    ktg_context_set_cancel(context_of(state), NULL, NULL);
-    assert_int_equal(mesh->face_count, 72);
     ktg_status status = KTG_MEMORY;
     uint64_t nth = 0;
     while (status == KTG_MEMORY) {
@@ -307,7 +319,7 @@ static void it_can_be_cancelled_and_memory_may_run_out(void **state) {
         ktg_context_fail_allocation(context_of(state), ++nth);
         status = ktg_mesh_simplify(context_of(state), mesh, 10, &r);
     }
-    ktg_context_fail_allocation(context_of(state), 0);
+    end_short_memory(context_of(state), status);
     assert_int_equal(status, KTG_OK);
     assert_true(nth > 20 && mesh->face_count <= 10);
     ktg_mesh_free(&mesh);
@@ -328,7 +340,8 @@ int main(void) {
         cmocka_unit_test(the_same_at_every_power_of_two_and_every_time),
         cmocka_unit_test(what_is_small_enough_stays_as_it_is),
         cmocka_unit_test(only_manifolds_are_taken),
-        cmocka_unit_test(it_can_be_cancelled_and_memory_may_run_out),
+        cmocka_unit_test(it_can_be_cancelled_whenever_it_asks),
+        cmocka_unit_test(memory_may_run_out),
     };
     return cmocka_run_group_tests_name("mesh simplify", tests, start, stop);
 }

@@ -1,5 +1,6 @@
 /* tests/mesh/test_simplify_uv.c - texture coordinates follow a simplification, and seams stay. */
 #include "shapes.h"
+#include "tests/short_memory.h"
 
 typedef ktg_vec2 (*uv_map)(ktg_vec3 position, ktg_vec3 centre);
 
@@ -59,17 +60,9 @@ static ktg_simplify_report simplify(void **state, ktg_mesh *mesh, uint32_t targe
 
 /* ---- plates --------------------------------------------------------------------------------- */
 
-/* A square of n x n quadrangles. */
 static ktg_mesh *plate(void **state, uint32_t n) {
     builder *b = build();
-    for (uint32_t i = 0; i <= n; i++)
-        for (uint32_t j = 0; j <= n; j++)
-            add_point(b, j, i, 0);
-    for (uint32_t i = 0; i < n; i++)
-        for (uint32_t j = 0; j < n; j++) {
-            uint32_t at = (n + 1) * i + j;
-            add_quad(b, at, at + 1, at + n + 2, at + n + 1);
-        }
+    add_plate(b, n);
     return finish(state, b);
 }
 
@@ -103,13 +96,17 @@ static ktg_vec2 one_chart(ktg_vec3 p, ktg_vec3 centre) {
     return (ktg_vec2){p.x, p.y};
 }
 
+/* On rough ground, where a line that no texture depends on would give way a little. */
 static void lines_between_materials_stay_in_one_chart_too(void **state) {
     ktg_mesh *mesh = plate(state, 16);
+    for (uint32_t v = 0; v < mesh->vertex_count; v++)
+        mesh->positions[v].z = 0.4 * (7 * v % 5);
     set_uvs(mesh, one_chart);
     mesh->face_material = calloc(mesh->face_count, sizeof *mesh->face_material);
     for (uint32_t f = 0; f < mesh->face_count; f++)
         mesh->face_material[f] = centre_of(mesh, f).y < 4;
-    assert_int_equal(simplify(state, mesh, 10).faces_without_uv, 0);
+    assert_int_equal(simplify(state, mesh, 100).faces_without_uv, 0);
+    assert_in_range(mesh->face_count, 80, 100);
     double area = 0;
     for (uint32_t f = 0; f < mesh->face_count; f++)
         area += mesh->face_material[f] ? uv_area(mesh, f) : 0;
@@ -425,7 +422,7 @@ static void memory_may_run_out(void **state) {
         ktg_context_fail_allocation(context_of(state), nth);
         status = ktg_mesh_simplify(context_of(state), mesh, 10, NULL);
     }
-    ktg_context_fail_allocation(context_of(state), 0);
+    end_short_memory(context_of(state), status);
     assert_int_equal(status, KTG_OK);
     assert_true(mesh->face_count <= 10 && mesh->uv_count < 216);
     ktg_mesh_free(&mesh);

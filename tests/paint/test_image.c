@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include <cmocka.h>
+#include <jpeglib.h>
 
 /* Red grows to the right, green downwards. */
 static void fill(uint8_t *rgb, uint32_t width, uint32_t height) {
@@ -80,6 +81,49 @@ static void a_jpeg_goes_out_and_comes_in(void **state) {
     ktg_image_free(&image);
     assert_int_equal(ktg_paint_jpeg(f->context, rgb, 0, 24, &bytes, &size), KTG_ARGUMENT);
     assert_int_equal(ktg_paint_jpeg(f->context, rgb, 70000, 24, &bytes, &size), KTG_ARGUMENT);
+}
+
+/* A JPEG as for the press: cyan, magenta, yellow and black, inverted. */
+static void write_inks(folder *f, const char *name, uint8_t *inks, uint32_t width,
+                       uint32_t height) {
+    struct jpeg_compress_struct jpeg;
+    struct jpeg_error_mgr errors;
+    unsigned char *bytes = NULL;
+    unsigned long size = 0;
+    jpeg.err = jpeg_std_error(&errors);
+    jpeg_create_compress(&jpeg);
+    jpeg_mem_dest(&jpeg, &bytes, &size);
+    jpeg.image_width = width;
+    jpeg.image_height = height;
+    jpeg.input_components = 4;
+    jpeg.in_color_space = JCS_CMYK;
+    jpeg_set_defaults(&jpeg);
+    jpeg_set_quality(&jpeg, 100, TRUE);
+    jpeg_start_compress(&jpeg, TRUE);
+    for (uint32_t y = 0; y < height; y++) {
+        JSAMPROW row = inks + 4 * (size_t)width * y;
+        jpeg_write_scanlines(&jpeg, &row, 1);
+    }
+    jpeg_finish_compress(&jpeg);
+    jpeg_destroy_compress(&jpeg);
+    folder_write(f, name, bytes, size);
+    free(bytes);
+}
+
+static void a_jpeg_of_inks_is_understood(void **state) {
+    folder *f = *state;
+    uint8_t inks[4 * 16 * 16];
+    for (size_t i = 0; i < 16 * 16; i++) {
+        const uint8_t one[4] = {200, 100, 50, i < 8 * 16 ? 255 : 128}; /* darker below */
+        memcpy(inks + 4 * i, one, 4);
+    }
+    write_inks(f, "a.jpg", inks, 16, 16);
+    ktg_image *image = read_back(f, "a.jpg");
+    const uint8_t *rgb = image->levels[0].rgb;
+    for (size_t i = 0; i < 16 * 16; i++)
+        for (size_t k = 0; k < 3; k++)
+            assert_true(abs(rgb[3 * i + k] - inks[4 * i + k] * inks[4 * i + 3] / 255) < 4);
+    ktg_image_free(&image);
 }
 
 static void colours_lie_between_dots(void **state) {
@@ -184,6 +228,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(a_png_comes_in_dot_by_dot, folder_begin, folder_end),
         cmocka_unit_test_setup_teardown(smaller_versions_are_means, folder_begin, folder_end),
         cmocka_unit_test_setup_teardown(a_jpeg_goes_out_and_comes_in, folder_begin, folder_end),
+        cmocka_unit_test_setup_teardown(a_jpeg_of_inks_is_understood, folder_begin, folder_end),
         cmocka_unit_test_setup_teardown(colours_lie_between_dots, folder_begin, folder_end),
         cmocka_unit_test_setup_teardown(images_repeat_or_end, folder_begin, folder_end),
         cmocka_unit_test_setup_teardown(what_is_no_image_is_refused, folder_begin, folder_end),

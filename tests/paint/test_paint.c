@@ -2,6 +2,7 @@
  */
 #include "folder.h"
 #include "paint/look.h"
+#include "tests/short_memory.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -220,20 +221,31 @@ static void a_thin_part_keeps_the_colours_of_both_sides(void **state) {
     leave(&s);
 }
 
+/* Just above the model's surface, without materials or coordinates. */
+static ktg_mesh *bare_oblong(folder *f) {
+    static const double corners[] = {0, 0, 0.1, 8, 0, 0.1, 8, 4, 0.1, 0, 4, 0.1};
+    static const uint32_t faces[] = {0, 1, 2, 0, 2, 3};
+    ktg_mesh *mesh;
+    assert_int_equal(ktg_mesh_new(f->context, corners, 4, faces, 2, &mesh), KTG_OK);
+    return mesh;
+}
+
 static void a_surface_without_coordinates_is_coloured_by_closest_point(void **state) {
     folder *f = *state;
     folder_write_png(f, "four.png", four, 2, 2);
     folder_write_text(f, "a.mtl", "newmtl skin\nmap_Kd four.png\nnewmtl plain\nKd 0.2 0.4 0.6\n");
     scene s = look(f, square, NULL);
-    static const double corners[] = {0, 0, 0.1, 8, 0, 0.1, 8, 4, 0.1, 0, 4, 0.1};
-    static const uint32_t faces[] = {0, 1, 2, 0, 2, 3};
-    ktg_mesh *coarse;
-    assert_int_equal(ktg_mesh_new(f->context, corners, 4, faces, 2, &coarse), KTG_OK);
+    ktg_mesh *coarse = bare_oblong(f);
     assert_int_equal(ktg_paint_lay(f->context, s.paint, coarse, 1, &s.report), KTG_OK);
     assert_int_equal(ktg_paint_face_count(s.paint), 2);
     expect(f, &s, 0, 0.9, 0.05, 0.05, 0x0000ff);
     expect(f, &s, 1, 0.05, 0.05, 0.9, 0xff0000);
     expect(f, &s, 0, 0.05, 0.9, 0.05, 0x336699);
+    coarse->face_material = calloc(2, sizeof *coarse->face_material);
+    coarse->face_material[0] = 1; /* of a list that is not the model's */
+    assert_int_equal(ktg_paint_lay(f->context, s.paint, coarse, 1, &s.report), KTG_OK);
+    assert_int_equal(s.report.faces_sampled, 2);
+    expect(f, &s, 0, 0.9, 0.05, 0.05, 0x0000ff);
     ktg_mesh_free(&coarse);
     leave(&s);
 }
@@ -242,7 +254,7 @@ static void memory_that_runs_out_is_told(void **state) {
     folder *f = *state;
     ktg_status status = KTG_MEMORY;
     ktg_paint *paint = NULL;
-    ktg_mesh *mesh;
+    ktg_mesh *mesh, *bare = bare_oblong(f);
     size_t failures = 0;
     folder_write_png(f, "four.png", four, 2, 2);
     folder_write_text(f, "a.mtl", "newmtl skin\nmap_Kd four.png\nnewmtl plain\nKd 0.2 0.4 0.6\n");
@@ -254,12 +266,15 @@ static void memory_that_runs_out_is_told(void **state) {
         status = ktg_paint_new(f->context, mesh, path, NULL, &paint, NULL);
         if (status == KTG_OK)
             status = ktg_paint_lay(f->context, paint, mesh, 1, NULL);
-        ktg_context_fail_allocation(f->context, 0);
+        if (status == KTG_OK)
+            status = ktg_paint_lay(f->context, paint, bare, 1, NULL);
+        end_short_memory(f->context, status);
         assert_true(status == KTG_OK || status == KTG_MEMORY);
         ktg_paint_free(&paint);
     }
     assert_true(failures > 30);
     ktg_mesh_free(&mesh);
+    ktg_mesh_free(&bare);
 }
 
 int main(void) {

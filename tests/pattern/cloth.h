@@ -141,4 +141,26 @@ static inline size_t cloth_count_lines(const ktg_pattern_piece *piece, ktg_line_
     return count;
 }
 
+static inline ktg_finish_report cloth_finish(ktg_context *context, ktg_pattern *p,
+                                             const ktg_finish_options *options) {
+    ktg_finish_report report;
+    assert_int_equal(ktg_pattern_finish(context, p, options, &report), KTG_OK);
+    return report;
+}
+
+/* Of what is cut out, in mm^2. */
+static inline double cloth_area(const ktg_pattern_piece *piece) {
+    double twice = 0;
+    for (size_t i = 0; i < piece->outline_count; i++)
+        twice += ktg_cross2(piece->outline[i], piece->outline[(i + 1) % piece->outline_count]);
+    return twice / 2;
+}
+
+static inline bool cloth_has_label(const ktg_pattern_piece *piece, const char *text) {
+    for (size_t i = 0; i < piece->label_count; i++)
+        if (strcmp(piece->labels[i].text, text) == 0)
+            return true;
+    return false;
+}
+
 #endif

@@ -282,3 +282,11 @@ ktg_pattern *grow_net(ktg_context *context, surface *s, uint32_t most_faces, uin
     free(s);
     return p;
 }
+
+bool net_has_text(const ktg_pattern *p, const char *text) {
+    for (size_t i = 0; i < p->piece_count; i++)
+        for (size_t k = 0; k < p->pieces[i].label_count; k++)
+            if (strcmp(p->pieces[i].labels[k].text, text) == 0)
+                return true;
+    return false;
+}

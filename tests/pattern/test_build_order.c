@@ -131,6 +131,43 @@ static void a_flat_prism_is_closed_with_a_lid(void **state) {
     assert_true(low > 2 * high);
 }
 
+/* A vessel, wider above, with a swollen lid: an oblong of 50 x 50 between slopes of 9 degrees. The
+ * slopes are its first faces. */
+static surface *make_vessel(void) {
+    static const double halves[3] = {30, 40, 25}, heights[3] = {0, 30, 32.376};
+    surface *s = calloc(1, sizeof *s);
+    for (uint32_t v = 0; v < 12; v++) {
+        double half = halves[v / 4], x = v % 4 == 1 || v % 4 == 2 ? half : -half;
+        s->vertices[v] = (ktg_vec3){x, v % 4 < 2 ? -half : half, heights[v / 4]};
+    }
+    s->vertex_count = 12;
+    static const uint32_t flat[12] = {8, 9, 10, 8, 10, 11, 0, 2, 1, 0, 3, 2};
+    for (uint32_t k = 0; k < 8; k++) {
+        uint32_t low = k < 4 ? 4 : 0, a = low + k % 4, b = low + (k + 1) % 4;
+        uint32_t six[6] = {a, b, b + 4, a, b + 4, a + 4};
+        memcpy(&s->faces[6 * k], six, sizeof six);
+    }
+    memcpy(&s->faces[48], flat, sizeof flat);
+    s->face_count = 20;
+    return s;
+}
+
+/* The lid as a whole is larger than the bottom; grown from one of its slopes it is not. */
+static void a_swollen_lid_closes_like_a_flat_one(void **state) {
+    size_t low = 0, high = 0;
+    for (uint64_t seed = 1; seed < 10; seed++) {
+        ktg_pattern *p = finish(*state, grow_net(*state, make_vessel(), 1000, seed), 2);
+        for (size_t s = 0; s < p->seam_count; s++)
+            for (uint32_t k = 0; k < p->seams[s].edge_count && p->seams[s].closing; k++) {
+                const uint32_t *v = p->edges[p->seams[s].edges[k]].vertices;
+                low += v[0] < 4 && v[1] < 4;
+                high += v[0] >= 4 && v[1] >= 4;
+            }
+        ktg_pattern_free(&p);
+    }
+    assert_true(high > 2 * low);
+}
+
 static uint32_t set_of(const uint32_t *parent, uint32_t i) {
     while (parent[i] != i)
         i = parent[i];
@@ -171,6 +208,72 @@ static void limbs_are_whole_before_they_are_joined(void **state) {
         ktg_pattern_free(&p);
     }
     assert_true(joined > 100);
+}
+
+/* Whether two seams have an end in common. */
+static bool touch(const ktg_pattern *p, size_t a, size_t b) {
+    for (int k = 0; k < 4; k++)
+        if (end_of(p, a, k & 1) == end_of(p, b, k >> 1))
+            return true;
+    return false;
+}
+
+/* The seams that join two bodies, as they are glued, none where it is with them that the model is
+ * closed; `joints` has room for all. */
+static uint32_t joints_between(const ktg_pattern *p, const uint32_t *parent, uint32_t a, uint32_t b,
+                               uint32_t *joints) {
+    uint32_t count = 0;
+    for (uint32_t s = 0; s < p->seam_count; s++) {
+        uint32_t c = set_of(parent, p->seams[s].pieces[0]);
+        uint32_t d = set_of(parent, p->seams[s].pieces[1]);
+        if (!(c == a && d == b) && !(c == b && d == a))
+            continue;
+        if (p->seams[s].closing)
+            return 0;
+        joints[count++] = s;
+    }
+    return count;
+}
+
+/* How many runs of touching seams there are, and how many times the next one does not touch. */
+static void count_runs(const ktg_pattern *p, const uint32_t *joints, uint32_t count, uint32_t *runs,
+                       uint32_t *jumps) {
+    uint32_t parent[100];
+    *runs = *jumps = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        parent[i] = i;
+        *jumps += i > 0 && !touch(p, joints[i - 1], joints[i]);
+        for (uint32_t k = 0; k < i; k++)
+            if (touch(p, joints[i], joints[k]))
+                parent[set_of(parent, i)] = set_of(parent, k);
+    }
+    for (uint32_t i = 0; i < count; i++)
+        *runs += parent[i] == i;
+}
+
+static void a_piece_is_joined_from_one_end_to_the_other(void **state) {
+    size_t joined = 0;
+    for (uint64_t seed = 1; seed < 20; seed++) {
+        ktg_pattern *p = ball(*state, 12, seed);
+        uint32_t *parent = calloc(p->piece_count, sizeof *parent), joints[100];
+        assert_true(p->seam_count <= 100);
+        for (uint32_t i = 0; i < p->piece_count; i++)
+            parent[i] = i;
+        for (size_t s = 0; s < p->seam_count && !p->seams[s].obvious; s++) {
+            uint32_t a = set_of(parent, p->seams[s].pieces[0]), runs, jumps;
+            uint32_t b = set_of(parent, p->seams[s].pieces[1]);
+            if (a == b)
+                continue;
+            uint32_t count = joints_between(p, parent, a, b, joints);
+            count_runs(p, joints, count, &runs, &jumps);
+            assert_true(jumps < runs || count == 0);
+            joined += count > 2;
+            parent[a] = b;
+        }
+        free(parent);
+        ktg_pattern_free(&p);
+    }
+    assert_true(joined > 50);
 }
 
 static void steps_are_neither_small_nor_large(void **state) {
@@ -265,7 +368,9 @@ int main(void) {
         cmocka_unit_test(each_seam_of_one_piece_closes_like_a_zip),
         cmocka_unit_test(the_last_numbers_close_the_model),
         cmocka_unit_test(a_flat_prism_is_closed_with_a_lid),
+        cmocka_unit_test(a_swollen_lid_closes_like_a_flat_one),
         cmocka_unit_test(limbs_are_whole_before_they_are_joined),
+        cmocka_unit_test(a_piece_is_joined_from_one_end_to_the_other),
         cmocka_unit_test(steps_are_neither_small_nor_large),
         cmocka_unit_test(each_step_hangs_together),
         cmocka_unit_test(an_open_model_is_closed_towards_its_border),

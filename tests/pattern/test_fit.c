@@ -4,6 +4,7 @@
 
 #include "core/random.h"
 #include "core/vec.h"
+#include "tests/short_memory.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -237,7 +238,7 @@ static void every_failing_allocation_is_survived(void **state) {
             status = ktg_pattern_fit(context, p, &sheet, 2, NULL, &scale);
             assert_true(nth < 20000);
         }
-        ktg_context_fail_allocation(context, 0);
+        end_short_memory(context, status);
         assert_int_equal(status, KTG_OK);
         assert_true(scale > 10);
         ktg_pattern_free(&p);

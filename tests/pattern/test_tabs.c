@@ -3,6 +3,7 @@
 #include "nets.h"
 
 #include "core/vec.h"
+#include "tests/short_memory.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -244,7 +245,7 @@ static void every_failing_allocation_is_survived(void **state) {
         status = ktg_pattern_finish(context, p, NULL, NULL);
         assert_true(nth < 1000);
     }
-    ktg_context_fail_allocation(context, 0);
+    end_short_memory(context, status);
     assert_int_equal(status, KTG_OK);
     assert_tabs_are_clear(p);
     ktg_pattern_free(&p);

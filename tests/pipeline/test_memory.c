@@ -1,5 +1,6 @@
 /* Memory that runs out anywhere in the job: the call fails, nothing leaks, no file appears. */
 #include "bench.h"
+#include "tests/short_memory.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -20,7 +21,7 @@ static void starve(bench *b) {
     for (uint64_t k = 1; status != KTG_OK; k += 1 + k / 24, failures++) {
         ktg_context_fail_allocation(b->context, k);
         status = ktg_pipeline_run(b->context, &b->options, NULL);
-        ktg_context_fail_allocation(b->context, 0);
+        end_short_memory(b->context, status);
         if (status == KTG_OK)
             break;
         if (status != KTG_MEMORY)

@@ -1,5 +1,6 @@
 /* A piece of a pattern moved by handles: what changes, what stays, and memory that runs out. */
 #include "bench.h"
+#include "tests/short_memory.h"
 
 #include <math.h>
 #include <setjmp.h>
@@ -153,7 +154,7 @@ static void a_warp_needs_its_memory(void **state) {
     for (uint64_t k = 1; status != KTG_OK; k += 1 + k / 24, failures++) {
         ktg_context_fail_allocation(b->context, k);
         status = warp(b, &p, NULL);
-        ktg_context_fail_allocation(b->context, 0);
+        end_short_memory(b->context, status);
         if (status == KTG_OK)
             break;
         if (status != KTG_MEMORY)

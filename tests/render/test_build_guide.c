@@ -1,8 +1,10 @@
 /* The pages that tell how to build the model. */
+#include "pdf_words.h"
 #include "picture.h"
 #include "strip.h"
 
 #include "render/build_guide.h"
+#include "render/draw.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -71,6 +73,27 @@ static void a_guide_comes_last_unless_it_is_not_wished_for(void **state) {
     ktg_pattern *pattern = make_rings(*state, 1);
     assert_int_equal(count_pages(*state, pattern, false), 1);
     assert_int_equal(count_pages(*state, pattern, true), 2);
+    ktg_pattern_free(&pattern);
+}
+
+static void a_guide_says_of_what_it_is_and_what_there_is_to_do(void **state) {
+    static const char *const words[] = {"How to build it",      "strip",
+                                        "3 pieces on 3 sheets", "3 seams with numbers, 3 steps",
+                                        "Tools: scissors",      "From the front",
+                                        "From behind"};
+    if (!installed("pdftotext"))
+        skip();
+    ktg_pattern *pattern = make_rings(*state, 3);
+    char *bytes;
+    size_t size;
+    assert_int_equal(render_bytes(*state, pattern, "pdf", 0, NULL, &bytes, &size), KTG_OK);
+    char *text = tell("pdftotext -f 4 -layout %s -", bytes, size); /* behind the sheets */
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (!strstr(text, words[i]))
+            fail_msg("%s is not in the guide: %s", words[i], text);
+    assert_non_null(strstr(text, "How to build it\nstrip\n"));
+    free(text);
+    ktg_free(bytes);
     ktg_pattern_free(&pattern);
 }
 
@@ -152,6 +175,31 @@ static bool is_grey(int red, int green, int blue) {
 }
 
 /* The seam of the step is drawn as a thick red line, and black print has no colours at all. */
+static void a_word_wider_than_the_page_ends_with_its_column(void **state) {
+    ktg_pattern *pattern = make_rings(*state, 1);
+    ktg_drawing *drawing;
+    char word[81];
+    memset(word, 'W', 80);
+    word[80] = 0;
+    assert_int_equal(ktg_drawing_new(*state, pattern, NULL, &drawing), KTG_OK);
+    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 420, 594);
+    cairo_t *cairo = cairo_create(surface);
+    cairo_set_source_rgb(cairo, 1, 1, 1);
+    cairo_paint(cairo);
+    cairo_scale(cairo, 2, 2);
+    ktg_column at = ktg_column_begin(drawing, cairo, 210, 297);
+    double right = at.x + at.width;
+    ktg_column_wrap(&at, KTG_FACE_PLAIN, 4, word, false);
+    cairo_destroy(cairo);
+    cairo_surface_flush(surface);
+    snapshot p = {surface, 420, 594, 2, 297};
+    assert_true(picture_has_ink(&p, right - 10, 260, right, 297));
+    assert_false(picture_has_ink(&p, right + 1, 0, 210, 297));
+    picture_drop(&p);
+    ktg_drawing_free(&drawing);
+    ktg_pattern_free(&pattern);
+}
+
 static void steps_show_their_seams(void **state) {
     ktg_pattern *pattern = make_rings(*state, 1);
     ktg_render_options options;
@@ -218,8 +266,10 @@ static void without_sections_there_is_the_model(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_guide_comes_last_unless_it_is_not_wished_for),
+        cmocka_unit_test(a_guide_says_of_what_it_is_and_what_there_is_to_do),
         cmocka_unit_test(a_hundred_bodies_take_a_few_pages),
         cmocka_unit_test(tiny_and_huge_sheets_have_a_guide_on_a4),
+        cmocka_unit_test(a_word_wider_than_the_page_ends_with_its_column),
         cmocka_unit_test(steps_show_their_seams),
         cmocka_unit_test(a_page_too_small_for_a_row_has_one_anyway),
         cmocka_unit_test(a_seam_begins_where_all_else_is_closed),

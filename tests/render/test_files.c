@@ -3,7 +3,9 @@
 #include <setjmp.h>
 #include <stdarg.h>
 
+#include "tests/render/pdf_words.h"
 #include "tests/render/strip.h"
+#include "tests/short_memory.h"
 
 #include <cmocka.h>
 
@@ -29,28 +31,6 @@ static size_t count_text(const char *bytes, size_t size, const char *text) {
 
 static size_t count_pages(const char *bytes, size_t size) {
     return count_text(bytes, size, "/Type /Page") - count_text(bytes, size, "/Type /Pages");
-}
-
-static bool installed(const char *program) {
-    char command[100];
-    snprintf(command, sizeof command, "command -v %s >/dev/null 2>&1", program);
-    return system(command) == 0;
-}
-
-/* What `program` (with options, "%s" for the file) prints about a PDF of these bytes. */
-static char *tell(const char *program, const char *bytes, size_t size) {
-    char path[] = "/tmp/ktg-pdf-XXXXXX", command[200];
-    char *text = calloc(1, 100000);
-    FILE *file = fdopen(mkstemp(path), "wb");
-    assert_int_equal(fwrite(bytes, 1, size, file), size);
-    fclose(file);
-    snprintf(command, sizeof command, program, path);
-    FILE *pipe = popen(command, "r");
-    assert_non_null(pipe);
-    assert_true(fread(text, 1, 99999, pipe) > 0);
-    assert_int_equal(pclose(pipe), 0);
-    unlink(path);
-    return text;
 }
 
 static void a_pdf_has_a_page_per_sheet(void **state) {
@@ -368,25 +348,37 @@ static void short_memory_is_survived(void **state) {
             assert_true(status == KTG_OK || status == KTG_MEMORY);
             ktg_free(bytes);
         }
-        ktg_context_fail_allocation(context, 0);
+        end_short_memory(context, status);
         assert_int_equal(status, KTG_OK);
     }
     ktg_pattern_free(&pattern);
 }
 
-static ktg_wish always(void *user) {
-    (void)user;
-    return KTG_STOP;
+static ktg_wish count_down(void *user) {
+    int *left = user;
+    return --*left < 0 ? KTG_STOP : KTG_GO_ON;
 }
 
-static void drawing_can_be_interrupted(void **state) {
+static void drawing_can_be_interrupted_anywhere(void **state) {
+    static const char *const kinds[] = {"pdf", "png", "svg", "dxf"};
     ktg_context *context = *state;
     ktg_pattern *pattern = two_on_a4(context);
-    char *bytes;
-    size_t size;
-    ktg_context_set_cancel(context, always, NULL);
-    assert_int_equal(render_bytes(context, pattern, "pdf", 0, NULL, &bytes, &size), KTG_CANCELLED);
-    assert_int_equal(render_bytes(context, pattern, "png", 0, NULL, &bytes, &size), KTG_CANCELLED);
+    for (int k = 0; k < 4; k++) {
+        ktg_status status = KTG_CANCELLED;
+        int asked = 0;
+        for (; status == KTG_CANCELLED; asked++) {
+            char *bytes = NULL;
+            size_t size;
+            int left = asked;
+            ktg_context_set_cancel(context, count_down, &left);
+            status = render_bytes(context, pattern, kinds[k], 0, NULL, &bytes, &size);
+            assert_int_equal(status == KTG_OK, left >= 0); /* nobody said stop */
+            ktg_free(bytes);
+        }
+        assert_int_equal(status, KTG_OK);
+        assert_true(asked > 1);
+    }
+    ktg_context_set_cancel(context, NULL, NULL);
     ktg_pattern_free(&pattern);
 }
 
@@ -411,7 +403,8 @@ int main(void) {
                                         drop_context),
         cmocka_unit_test_setup_teardown(a_full_disk_is_told, make_context, drop_context),
         cmocka_unit_test_setup_teardown(short_memory_is_survived, make_context, drop_context),
-        cmocka_unit_test_setup_teardown(drawing_can_be_interrupted, make_context, drop_context),
+        cmocka_unit_test_setup_teardown(drawing_can_be_interrupted_anywhere, make_context,
+                                        drop_context),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

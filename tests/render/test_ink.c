@@ -213,8 +213,10 @@ static void names_are_never_upside_down(void **state) {
     ktg_pattern_piece *piece = &pattern->pieces[0];
     piece->label_count = 1;
     piece->labels[0] = (ktg_pattern_label){"L", {20, 15}, 0, 10, KTG_NONE};
-    for (int turned = 0; turned < 2; turned++) {
-        piece->labels[0].rotation = turned ? KTG_PI : 0;
+    for (int turned = 0; turned < 3; turned++) {
+        piece->labels[0].rotation = turned == 1 ? KTG_PI : 0;
+        if (turned == 2) /* with its piece, about the label's place */
+            pattern->sheets[0].placements[0] = (ktg_pattern_placement){0, 100, 230, KTG_PI};
         for (int number = 0; number < 2; number++) {
             piece->labels[0].edge = number ? 2 : KTG_NONE;
             snapshot picture = take(context, pattern, &options);

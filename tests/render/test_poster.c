@@ -5,6 +5,7 @@
 #include <setjmp.h>
 #include <stdarg.h>
 
+#include "tests/render/pdf_words.h"
 #include "tests/render/picture.h"
 #include "tests/render/strip.h"
 
@@ -84,6 +85,21 @@ static void neighbours_join_where_the_crosses_meet(void **state) {
     ktg_pattern_free(&pattern);
 }
 
+/* In the middle of the join, 2.2 mm inside; name, 0.8 mm, arrow outwards. */
+static void the_neighbours_name_stands_behind_its_arrow(void **state) {
+    ktg_context *context = *state;
+    ktg_pattern *pattern = make_poster(context);
+    snapshot first = take(context, pattern, 0), second = take(context, pattern, 1);
+    assert_false(picture_has_ink(&first, 80.5, 48.5, 82, 51.5));
+    assert_true(picture_has_ink(&first, 82.2, 49, 83.2, 51)); /* to the right of the join */
+    assert_true(picture_has_ink(&second, 12.3, 49.8, 13.9, 50.2));
+    assert_false(picture_has_ink(&second, 14.2, 48.5, 14.7, 51.5));
+    assert_true(picture_has_ink(&second, 14.8, 49, 16.5, 51));
+    picture_drop(&first);
+    picture_drop(&second);
+    ktg_pattern_free(&pattern);
+}
+
 static void tiles_are_named_by_row_and_column(void **state) {
     ktg_context *context = *state;
     ktg_pattern *pattern = make_poster(context);
@@ -131,6 +147,24 @@ static void a_cover_with_the_maps_comes_first(void **state) {
         pattern->sheets[k].poster = 0; /* tiles of which nothing is told are drawn, too */
     assert_int_equal(render_bytes(context, pattern, "pdf", 0, NULL, &bytes, &size), KTG_OK);
     assert_int_equal(count_text(bytes, size, "(cover"), 0);
+    ktg_free(bytes);
+    ktg_pattern_free(&pattern);
+}
+
+static void the_map_names_its_tiles(void **state) {
+    static const char *const words[] = {"A1", "A2", "sheet 1", "sheet 2"};
+    ktg_context *context = *state;
+    if (!installed("pdftotext"))
+        skip();
+    ktg_pattern *pattern = make_poster(context);
+    char *bytes;
+    size_t size;
+    assert_int_equal(render_bytes(context, pattern, "pdf", 0, NULL, &bytes, &size), KTG_OK);
+    char *text = tell("pdftotext -l 1 -layout %s -", bytes, size); /* the cover */
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (!strstr(text, words[i]))
+            fail_msg("%s is not on the cover: %s", words[i], text);
+    free(text);
     ktg_free(bytes);
     ktg_pattern_free(&pattern);
 }
@@ -203,7 +237,9 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         CASE(a_tile_shows_its_printable_area_only),
         CASE(neighbours_join_where_the_crosses_meet),
+        CASE(the_neighbours_name_stands_behind_its_arrow),
         CASE(tiles_are_named_by_row_and_column),
+        CASE(the_map_names_its_tiles),
         CASE(several_pieces_come_with_a_picture_on_the_last_sheet),
         CASE(the_picture_stands_upright),
         CASE(a_cover_with_the_maps_comes_first),

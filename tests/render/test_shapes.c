@@ -1,5 +1,6 @@
 /* Surfaces side by side in a PNG. */
 #include "render/draw.h"
+#include "tests/short_memory.h"
 
 #include <cairo.h>
 #include <math.h>
@@ -94,7 +95,7 @@ static void what_cannot_be_drawn_is_refused(void **state) {
         ktg_status status = ktg_render_shapes(*state, &good, 1, 1, output);
         failed = status != KTG_OK;
         assert_true(status == KTG_OK || status == KTG_MEMORY);
-        ktg_context_fail_allocation(*state, 0);
+        end_short_memory(*state, status);
     }
     ktg_output_discard(&output);
 }

@@ -2,6 +2,7 @@
 #include "core/memory.h"
 #include "core/random.h"
 #include "core/vec.h"
+#include "tests/short_memory.h"
 #include "tests/unfold/reference.h"
 #include "tests/unfold/shapes.h"
 #include "unfold/unfold.h"
@@ -352,6 +353,32 @@ static void a_wish_to_stop_cancels_soon(void **state) {
     ktg_mesh_free(&mesh);
 }
 
+/* And whenever it comes: nobody takes it for a wish to finish. */
+static void a_wish_to_stop_is_never_overheard(void **state) {
+    ktg_mesh *mesh = shape_icosphere(*state, 0);
+    for (int sheets = 0; sheets < 2; sheets++) {
+        ktg_unfold_options options = quick();
+        ktg_status status = KTG_CANCELLED;
+        uint32_t from = 0;
+        options.population = 4;
+        options.patience = 1;
+        options.restarts = 1;
+        options.mm_per_unit = sheets ? 150 : 0;
+        for (; status == KTG_CANCELLED; from++) {
+            asker user = {.from = from, .wish = KTG_STOP};
+            ktg_pattern *pattern;
+            ktg_context_set_cancel(*state, ask, &user);
+            status = ktg_unfold(*state, mesh, NULL, &options, &pattern, NULL);
+            assert_int_equal(status == KTG_OK, user.calls <= from);
+            ktg_pattern_free(&pattern);
+        }
+        assert_int_equal(status, KTG_OK);
+        assert_true(from > 5);
+    }
+    ktg_context_set_cancel(*state, NULL, NULL);
+    ktg_mesh_free(&mesh);
+}
+
 static void transplants_can_be_ended_and_stopped_too(void **state) {
     ktg_mesh *mesh = shape_knot(*state, 60, 6);
     asker user = {.wish = KTG_FINISH};
@@ -507,7 +534,7 @@ static void fail_allocations(ktg_context *context, const ktg_unfold_options *opt
         status = ktg_unfold(context, mesh, "model", options, &pattern, NULL);
         assert_true(status == KTG_OK ? pattern != NULL : pattern == NULL);
     }
-    ktg_context_fail_allocation(context, 0);
+    end_short_memory(context, status);
     assert_int_equal(status, KTG_OK);
     assert_true(k > 100);
     assert_sound_net(context, mesh, pattern);
@@ -548,6 +575,7 @@ int main(void) {
         cmocka_unit_test(a_moved_turned_or_renumbered_model_has_as_good_a_net),
         cmocka_unit_test(a_wish_to_finish_gives_a_sound_net_early),
         cmocka_unit_test(a_wish_to_stop_cancels_soon),
+        cmocka_unit_test(a_wish_to_stop_is_never_overheard),
         cmocka_unit_test(transplants_can_be_ended_and_stopped_too),
         cmocka_unit_test(a_time_limit_stops_the_search_not_the_answer),
         cmocka_unit_test(used_up_generations_are_reported),

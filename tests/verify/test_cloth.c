@@ -46,21 +46,22 @@ static void wide_allowances_are_sound(void **state) {
     check(*state, p, NULL);
 }
 
+/* Wherever the line starts. */
 static void a_cutting_line_that_crosses_itself_is_refused(void **state) {
-    ktg_pattern *p = finished(*state, cloth_oblongs(*state), NULL);
-    ktg_vec2 swap = p->pieces[0].outline[1];
-    ktg_vec2 *grown = ktg_new(*state, 6, ktg_vec2); /* a loop outside the first corner */
-    for (int i = 0; i < 4; i++)
-        grown[i + 2] = p->pieces[0].outline[(i + 1) % 4];
-    grown[0] = ktg_add2(p->pieces[0].outline[0], (ktg_vec2){-50, -50});
-    grown[1] = ktg_add2(swap, (ktg_vec2){-50, 60});
-    free(p->pieces[0].outline);
-    p->pieces[0].outline = grown;
-    p->pieces[0].outline_count = 6;
-    ktg_vec2 held = grown[1];
-    grown[1] = grown[3];
-    grown[3] = held;
-    check(*state, p, "cutting line of piece 1 crosses itself");
+    for (int start = 0; start < 6; start++) {
+        ktg_pattern *p = finished(*state, cloth_oblongs(*state), NULL);
+        const ktg_vec2 *o = p->pieces[0].outline;
+        const ktg_vec2 loop[6] = {/* outside the first corner */
+                                  ktg_add2(o[0], (ktg_vec2){-50, -50}), o[2], o[1],
+                                  ktg_add2(o[1], (ktg_vec2){-50, 60}),  o[3], o[0]};
+        ktg_vec2 *grown = ktg_new(*state, 6, ktg_vec2);
+        for (int i = 0; i < 6; i++)
+            grown[i] = loop[(i + start) % 6];
+        free(p->pieces[0].outline);
+        p->pieces[0].outline = grown;
+        p->pieces[0].outline_count = 6;
+        check(*state, p, "cutting line of piece 1 crosses itself");
+    }
 }
 
 static void cloth_outside_its_cutting_line_is_refused(void **state) {
@@ -97,6 +98,21 @@ static void twins_that_differ_are_refused(void **state) {
     check(*state, p, "cut with a piece that is not cut");
 }
 
+/* Once for itself, and once for its twin. */
+static void a_piece_is_laid_as_often_as_it_is_cut(void **state) {
+    for (uint32_t times = 1; times <= 3; times++) {
+        ktg_pattern *p = finished(*state, cloth_oblongs(*state), NULL);
+        assert_int_equal(p->pieces[0].cut_mirrored, 1);
+        p->sheet_count = 1;
+        p->sheets = ktg_new(*state, 1, ktg_pattern_sheet);
+        *p->sheets = (ktg_pattern_sheet){KTG_ROLL, 900, 900, {0, 0, 900, 900}, times};
+        p->sheets->placements = ktg_new(*state, times, ktg_pattern_placement);
+        for (uint32_t k = 0; k < times; k++)
+            p->sheets->placements[k] = (ktg_pattern_placement){0, 100 + 200 * k, 100, 0};
+        check(*state, p, times < 3 ? NULL : "Piece 1 is placed 3 times");
+    }
+}
+
 static void half_a_piece_needs_its_fold(void **state) {
     ktg_pattern *p = finished(*state, cloth_with_dart(*state), "skirt");
     for (size_t i = 0; i < p->pieces[0].line_count; i++)
@@ -116,6 +132,7 @@ int main(void) {
         cmocka_unit_test(cloth_outside_its_cutting_line_is_refused),
         cmocka_unit_test(a_notch_without_its_mark_is_refused),
         cmocka_unit_test(twins_that_differ_are_refused),
+        cmocka_unit_test(a_piece_is_laid_as_often_as_it_is_cut),
         cmocka_unit_test(half_a_piece_needs_its_fold),
     };
     return cmocka_run_group_tests_name("verify/cloth", tests, make_context, drop_context);
