@@ -14,6 +14,9 @@
 static const uint32_t most_restarts[] = {5, 20, 20};
 #define RESTART_JITTER 0.3
 
+/* With little effort only while so few pairs overlap: where it was hundreds it will be again. */
+#define QUICK_OVERLAPS 20
+
 /* Steps without a new least number of conflicts after which a run is given up. A run needs about
  * half a step for each face; when a large one stands still for as long as that, a fresh start is
  * the shorter way. */
@@ -42,13 +45,18 @@ static void keep_better(ktg_net **best, ktg_net **net) {
     ktg_net_free(net);
 }
 
+static bool may_succeed(const ktg_net *best, ktg_effort effort) {
+    return best->live_count > 0 &&
+           (effort > KTG_EFFORT_QUICK || best->live_count <= QUICK_OVERLAPS);
+}
+
 /* The best net of several runs; one run where it has no conflicts. */
-static ktg_status search_net(ktg_context *context, const ktg_dual *dual, uint32_t restarts,
+static ktg_status search_net(ktg_context *context, const ktg_dual *dual, ktg_effort effort,
                              ktg_search *search, bool *folded, ktg_net **best) {
     ktg_status status = KTG_OK;
-    for (uint32_t run = 0; status == KTG_OK && run <= restarts; run++) {
+    for (uint32_t run = 0; status == KTG_OK && run <= most_restarts[effort]; run++) {
         ktg_net *net = NULL;
-        if (run > 0 && ((*best)->live_count == 0 || !ktg_search_goes_on(context, search)))
+        if (run > 0 && (!may_succeed(*best, effort) || !ktg_search_goes_on(context, search)))
             break;
         search->report.restarts += run > 0;
         status = run_once(context, dual, run > 0 ? RESTART_JITTER : 0, search, folded, &net);
@@ -94,8 +102,7 @@ ktg_status ktg_join_transplant(ktg_context *context, const ktg_dual *dual,
                                uint32_t *pieces) {
     ktg_net *net = NULL;
     double start = ktg_clock_seconds();
-    ktg_status status =
-        search_net(context, dual, most_restarts[options->effort], search, joined, &net);
+    ktg_status status = search_net(context, dual, options->effort, search, joined, &net);
     *pieces = 1;
     if (status == KTG_OK) {
         search->seconds += ktg_clock_seconds() - start;
