@@ -54,7 +54,7 @@ void *ktg_copy_array(ktg_context *context, const void *items, size_t count, size
     return copy;
 }
 
-/* Nothing is freed often, and sanitizers take their time for each call. */
+/* Large tables are mostly NULL, and under sanitizers each call of free() takes long. */
 void ktg_free(void *memory) {
     if (memory)
         free(memory);

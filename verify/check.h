@@ -12,6 +12,8 @@
 #define KTG_VERIFY_LISTED 5     /* problems that go into the message */
 #define KTG_VERIFY_TEXT   2048  /* bytes of that message */
 #define KTG_VERIFY_LENGTH 1e-9  /* relative, of lengths and areas */
+#define KTG_VERIFY_SHORT  1e-3  /* of the reach: shorter edges count as that long, ... */
+#define KTG_VERIFY_SEWN   1e-5  /* ... and the two sides of cloth from this on */
 #define KTG_VERIFY_REFOLD 1e-6  /* of the diagonal */
 #define KTG_VERIFY_FLAT   1e-3  /* radians: folds that turn by less are called flat */
 #define KTG_VERIFY_ANGLE  1e-6  /* radians, of an angle that is told */

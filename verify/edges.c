@@ -8,8 +8,6 @@
 
 #define COINCIDE 5e-11 /* of the shortest edge there: two copies of a cut that are one line */
 #define ROUNDING 5e-15 /* of the piece's reach: what stored coordinates may be off */
-#define SHORT    1e-3  /* of the reach: the lengths of shorter edges are measured against this */
-#define SEWN     1e-5  /* likewise for the two sides of cloth */
 
 static const char *kind_name(ktg_edge_kind kind) {
     static const char *const names[] = {"cut", "mountain fold", "valley fold", "flat fold",
@@ -197,7 +195,7 @@ static void check_length(ktg_check *check, uint32_t h) {
     uint32_t piece = check->face_piece[h / 3];
     double flat = ktg_check_distance2(ktg_check_start2(check, h), ktg_check_end2(check, h));
     double solid = ktg_check_distance3(ktg_check_start3(check, h), ktg_check_end3(check, h));
-    double least = SHORT * fmax(check->reach2[piece], check->reach3);
+    double least = KTG_VERIFY_SHORT * fmax(check->reach2[piece], check->reach3);
     double error = fabs(flat - solid) / fmax(solid, least);
     check->report->length_error = fmax(check->report->length_error, error);
     if (!(error <= KTG_VERIFY_LENGTH))
@@ -214,7 +212,7 @@ static void check_sewn(ktg_check *check, uint32_t h) {
         return;
     double a = ktg_check_distance2(ktg_check_start2(check, h), ktg_check_end2(check, h));
     double b = ktg_check_distance2(ktg_check_start2(check, m), ktg_check_end2(check, m));
-    double error = fabs(a - b) / fmax(fmax(a, b), SEWN * check->reach3);
+    double error = fabs(a - b) / fmax(fmax(a, b), KTG_VERIFY_SEWN * check->reach3);
     if (!(error <= KTG_VERIFY_EASE))
         ktg_check_problem(check,
                           "The cut between faces %u and %u is %.6g long on one side, but "

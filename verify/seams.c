@@ -59,7 +59,7 @@ static void check_lengths_of(ktg_check *check, uint32_t i) {
             sum[s] += ktg_check_distance2(ktg_check_start2(check, h), ktg_check_end2(check, h));
         }
     bool paper = check->pattern->mode == KTG_PAPER;
-    double least = (paper ? 1e-3 : 1e-5) * check->reach3; /* as for the lengths of edges */
+    double least = (paper ? KTG_VERIFY_SHORT : KTG_VERIFY_SEWN) * check->reach3;
     for (int s = 0; s < 2; s++)
         if (!(fabs(seam->lengths_mm[s] - sum[s]) <= KTG_VERIFY_LENGTH * fmax(sum[s], least)))
             ktg_check_problem(check,

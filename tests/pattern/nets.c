@@ -5,8 +5,12 @@
 #include "core/random.h"
 #include "core/vec.h"
 
+#include <setjmp.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include <cmocka.h>
 
 static surface *surface_of(const double *vertices, uint32_t vertex_count, const uint32_t *faces,
                            uint32_t face_count, double scale) {
@@ -280,6 +284,13 @@ ktg_pattern *grow_net(ktg_context *context, surface *s, uint32_t most_faces, uin
     free(n.placed);
     free(n.corner);
     free(s);
+    return p;
+}
+
+ktg_pattern *net_finished(ktg_context *context, surface *s, uint32_t most_faces, uint64_t seed,
+                          const ktg_finish_options *options) {
+    ktg_pattern *p = grow_net(context, s, most_faces, seed);
+    assert_int_equal(ktg_pattern_finish(context, p, options, NULL), KTG_OK);
     return p;
 }
 

@@ -27,6 +27,10 @@ surface *make_strip(uint32_t n, double step, double width);
  * In millimetres: mm_per_unit is 1. The surface is freed. */
 ktg_pattern *grow_net(ktg_context *context, surface *s, uint32_t most_faces, uint64_t seed);
 
+/* The same, finished. */
+ktg_pattern *net_finished(ktg_context *context, surface *s, uint32_t most_faces, uint64_t seed,
+                          const ktg_finish_options *options);
+
 /* Whether a label of any piece says just that. */
 bool net_has_text(const ktg_pattern *p, const char *text);
 

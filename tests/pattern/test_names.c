@@ -19,19 +19,12 @@ static int drop_context(void **state) {
     return 0;
 }
 
-static ktg_pattern *finished(ktg_context *context, surface *s, uint32_t most_faces, uint64_t seed,
-                             const ktg_finish_options *options) {
-    ktg_pattern *p = grow_net(context, s, most_faces, seed);
-    assert_int_equal(ktg_pattern_finish(context, p, options, NULL), KTG_OK);
-    return p;
-}
-
 static void pieces_are_named_when_there_are_several(void **state) {
-    ktg_pattern *p = finished(*state, make_tetrahedron(60), 1, 1, NULL);
+    ktg_pattern *p = net_finished(*state, make_tetrahedron(60), 1, 1, NULL);
     assert_true(net_has_text(p, "ball 1 of 4"));
     assert_true(net_has_text(p, "ball 4 of 4"));
     ktg_pattern_free(&p);
-    p = finished(*state, make_tetrahedron(60), 4, 1, NULL);
+    p = net_finished(*state, make_tetrahedron(60), 4, 1, NULL);
     assert_false(net_has_text(p, "ball"));
     ktg_pattern_free(&p);
 }
@@ -81,7 +74,8 @@ static void names_on_small_pieces_stay_inside_clear_of_numbers(void **state) {
     uint32_t names = 0;
     for (double radius = 8; radius < 40; radius *= 1.25)
         for (uint64_t seed = 1; seed < 6; seed++) {
-            ktg_pattern *p = finished(*state, make_bumpy_ball(radius, 0.3, 1, seed), 6, seed, NULL);
+            ktg_pattern *p =
+                net_finished(*state, make_bumpy_ball(radius, 0.3, 1, seed), 6, seed, NULL);
             for (size_t i = 0; i < p->piece_count; i++)
                 for (size_t k = 0; k < p->pieces[i].label_count; k++)
                     if (p->pieces[i].labels[k].edge == KTG_NONE) {
@@ -94,11 +88,11 @@ static void names_on_small_pieces_stay_inside_clear_of_numbers(void **state) {
 }
 
 static void a_piece_too_small_for_its_name_says_which_part_it_is_or_nothing(void **state) {
-    ktg_pattern *p = finished(*state, make_tetrahedron(18), 1, 1, NULL);
+    ktg_pattern *p = net_finished(*state, make_tetrahedron(18), 1, 1, NULL);
     assert_false(net_has_text(p, "ball 1 of 4"));
     assert_true(net_has_text(p, "1 of 4"));
     ktg_pattern_free(&p);
-    p = finished(*state, make_tetrahedron(8), 1, 1, NULL);
+    p = net_finished(*state, make_tetrahedron(8), 1, 1, NULL);
     assert_false(net_has_text(p, "1 of 4"));
     ktg_pattern_free(&p);
 }
@@ -120,7 +114,8 @@ static bool are_parted(ktg_vec2 a, ktg_vec2 b, ktg_vec2 c, ktg_vec2 d) {
 
 static bool crosses_a_fold(const ktg_pattern *p, uint32_t piece, const ktg_pattern_label *name) {
     ktg_vec2 half = ktg_mul2((ktg_vec2){cos(name->rotation), sin(name->rotation)}, half_of(name).x);
-    ktg_vec2 begin = ktg_sub2(name->at, half), end = ktg_add2(name->at, half), fold[2];
+    ktg_vec2 begin = ktg_sub2(name->at, half), end = ktg_add2(name->at, half),
+             fold[2] = {{0, 0}, {0, 0}};
     for (size_t e = 0; e < p->edge_count; e++) {
         const ktg_pattern_edge *edge = &p->edges[e];
         if ((edge->kind != KTG_EDGE_MOUNTAIN && edge->kind != KTG_EDGE_VALLEY) ||
@@ -137,7 +132,7 @@ static void large_names_keep_between_the_folds_and_no_name_stands_on_its_head(vo
     uint32_t large = 0;
     for (uint64_t seed = 1; seed < 20; seed++) {
         double radius = 20 + 2 * (double)seed;
-        ktg_pattern *p = finished(*state, make_bumpy_ball(radius, 0.3, 1, seed), 6, seed, NULL);
+        ktg_pattern *p = net_finished(*state, make_bumpy_ball(radius, 0.3, 1, seed), 6, seed, NULL);
         for (uint32_t i = 0; i < p->piece_count; i++)
             for (size_t k = 0; k < p->pieces[i].label_count; k++) {
                 const ktg_pattern_label *label = &p->pieces[i].labels[k];

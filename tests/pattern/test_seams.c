@@ -22,13 +22,6 @@ static int drop_context(void **state) {
     return 0;
 }
 
-static ktg_pattern *finished(ktg_context *context, surface *s, uint32_t most_faces, uint64_t seed,
-                             const ktg_finish_options *options) {
-    ktg_pattern *p = grow_net(context, s, most_faces, seed);
-    assert_int_equal(ktg_pattern_finish(context, p, options, NULL), KTG_OK);
-    return p;
-}
-
 /* Surface vertices from and to of a seam's k-th edge, as its side 0 runs. */
 static void ends_of(const ktg_pattern *p, const ktg_pattern_seam *seam, uint32_t k, uint32_t *from,
                     uint32_t *to) {
@@ -39,7 +32,7 @@ static void ends_of(const ktg_pattern *p, const ktg_pattern_seam *seam, uint32_t
 
 static void every_cut_edge_is_in_one_seam_and_seams_are_chains(void **state) {
     for (uint64_t seed = 1; seed < 10; seed++) {
-        ktg_pattern *p = finished(*state, make_bumpy_ball(70, 0.3, 1, seed), 20, seed, NULL);
+        ktg_pattern *p = net_finished(*state, make_bumpy_ball(70, 0.3, 1, seed), 20, seed, NULL);
         uint32_t *uses = calloc(p->edge_count, sizeof *uses);
         for (size_t s = 0; s < p->seam_count; s++) {
             const ktg_pattern_seam *seam = &p->seams[s];
@@ -77,7 +70,7 @@ static uint32_t cuts_at(const ktg_pattern *p, uint32_t vertex) {
 
 static void seams_break_just_where_other_than_two_cuts_meet(void **state) {
     for (uint64_t seed = 1; seed < 10; seed++) {
-        ktg_pattern *p = finished(*state, make_bumpy_ball(70, 0.3, 1, seed), 1000, seed, NULL);
+        ktg_pattern *p = net_finished(*state, make_bumpy_ball(70, 0.3, 1, seed), 1000, seed, NULL);
         if (p->piece_count == 1) {
             size_t ends = 0;
             for (size_t s = 0; s < p->seam_count; s++) {
@@ -100,7 +93,7 @@ static void seams_break_just_where_other_than_two_cuts_meet(void **state) {
 
 static void a_seam_that_zips_up_a_leaf_ends_there(void **state) {
     for (uint64_t seed = 1; seed < 10; seed++) {
-        ktg_pattern *p = finished(*state, make_bumpy_ball(70, 0.3, 1, seed), 1000, seed, NULL);
+        ktg_pattern *p = net_finished(*state, make_bumpy_ball(70, 0.3, 1, seed), 1000, seed, NULL);
         for (size_t s = 0; s < p->seam_count; s++) {
             const ktg_pattern_seam *seam = &p->seams[s];
             uint32_t first, last, unused;
@@ -114,7 +107,7 @@ static void a_seam_that_zips_up_a_leaf_ends_there(void **state) {
 }
 
 static void outlines_are_closed_counter_clockwise_walks_with_all_tabs(void **state) {
-    ktg_pattern *p = finished(*state, make_bumpy_ball(70, 0.3, 1, 3), 20, 3, NULL);
+    ktg_pattern *p = net_finished(*state, make_bumpy_ball(70, 0.3, 1, 3), 20, 3, NULL);
     for (size_t i = 0; i < p->piece_count; i++) {
         const ktg_pattern_piece *piece = &p->pieces[i];
         size_t border = 0, corners = 0;
@@ -146,7 +139,7 @@ static bool inside_tab(const ktg_pattern_label *label, const ktg_pattern_tab *ta
 }
 
 static void every_seam_has_its_number_twice_and_on_large_nets_on_the_tab(void **state) {
-    ktg_pattern *p = finished(*state, make_bumpy_ball(150, 0.2, 1, 3), 20, 3, NULL);
+    ktg_pattern *p = net_finished(*state, make_bumpy_ball(150, 0.2, 1, 3), 20, 3, NULL);
     uint32_t on_tabs = 0;
     for (size_t s = 0; s < p->seam_count; s++) {
         char text[24];
@@ -195,7 +188,7 @@ static size_t labels_on(const ktg_pattern *p, const ktg_pattern_seam *seam) {
 static void seams_in_narrow_notches_bear_no_number_and_come_last(void **state) {
     size_t obvious = 0, plain = 0;
     for (uint64_t seed = 1; seed < 10; seed++) {
-        ktg_pattern *p = finished(*state, make_bumpy_ball(20, 0.2, 2, seed), 1000, seed, NULL);
+        ktg_pattern *p = net_finished(*state, make_bumpy_ball(20, 0.2, 2, seed), 1000, seed, NULL);
         bool before = false;
         for (size_t s = 0; s < p->seam_count; s++) {
             const ktg_pattern_seam *seam = &p->seams[s];
@@ -224,7 +217,7 @@ static void seams_in_narrow_notches_bear_no_number_and_come_last(void **state) {
     ktg_finish_options o;
     ktg_finish_defaults(&o);
     o.numbers = KTG_NUMBER_EDGE; /* then all are numbered */
-    ktg_pattern *p = finished(*state, make_bumpy_ball(20, 0.2, 2, 1), 1000, 1, &o);
+    ktg_pattern *p = net_finished(*state, make_bumpy_ball(20, 0.2, 2, 1), 1000, 1, &o);
     for (size_t s = 0; s < p->seam_count; s++)
         assert_int_equal(labels_on(p, &p->seams[s]), 2 * p->seams[s].edge_count);
     ktg_pattern_free(&p);
@@ -236,7 +229,7 @@ static void numbers_without_room_have_a_leader_to_their_edge(void **state) {
     ktg_finish_defaults(&o);
     o.numbers = KTG_NUMBER_EDGE;
     for (uint64_t seed = 1; seed < 5; seed++) {
-        ktg_pattern *p = finished(*state, make_prism(24, 2.2, 40), 1000, seed, &o);
+        ktg_pattern *p = net_finished(*state, make_prism(24, 2.2, 40), 1000, seed, &o);
         for (size_t i = 0; i < p->piece_count; i++)
             for (size_t k = 0; k < p->pieces[i].label_count; k++) {
                 const ktg_pattern_label *label = &p->pieces[i].labels[k];
@@ -270,7 +263,7 @@ static void numbers_that_read_upside_down_have_a_dot(void **state) {
     ktg_finish_options o;
     ktg_finish_defaults(&o);
     o.numbers = KTG_NUMBER_EDGE;
-    ktg_pattern *p = finished(*state, make_bumpy_ball(150, 0.2, 2, 3), 3, 3, &o);
+    ktg_pattern *p = net_finished(*state, make_bumpy_ball(150, 0.2, 2, 3), 3, 3, &o);
     const char *with[] = {"6.", "9.", "16.", "66.", "68.", "86.", "89.", "98.", "99.", "106."};
     const char *without[] = {"1", "8", "11", "60", "69", "88", "96", "101", "7", "26"};
     for (size_t k = 0; k < 10; k++)
@@ -283,7 +276,7 @@ static void numbers_that_read_upside_down_have_a_dot(void **state) {
 }
 
 static void numbers_in_a_face_do_not_cover_each_other(void **state) {
-    ktg_pattern *p = finished(*state, make_tetrahedron(60), 1, 1, NULL);
+    ktg_pattern *p = net_finished(*state, make_tetrahedron(60), 1, 1, NULL);
     for (size_t i = 0; i < p->piece_count; i++)
         for (size_t a = 0; a < p->pieces[i].label_count; a++)
             for (size_t b = 0; b < a; b++) {
