@@ -3,6 +3,7 @@
 #include "tests/fuzz/model.h"
 #include "verify/verify.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <unistd.h>
 
@@ -33,6 +34,14 @@ static void pick_drawing(fuzz_bytes *bytes, ktg_render_options *render) {
     render->dots_per_inch = 20;
 }
 
+/* Thousands of sheets, each of which is drawn four times, are many minutes with sanitizers. */
+static void keep_poster_small(ktg_pipeline_options *options) {
+    if (options->large != KTG_LARGE_TILE || options->size_mm < 50)
+        return;
+    options->size_mm = fmin(options->size_mm, 400);
+    options->layout.sheet.margin_mm = fmin(options->layout.sheet.margin_mm, 5);
+}
+
 void fuzz_options(fuzz_bytes *bytes, ktg_pipeline_options *options) {
     ktg_pipeline_defaults(options);
     options->colours = KTG_COLOURS_OFF;
@@ -45,6 +54,7 @@ void fuzz_options(fuzz_bytes *bytes, ktg_pipeline_options *options) {
     options->overlap_mm = FUZZ_PICK(bytes, double, 10, 0, 3);
     options->unfold.seconds = MOST_SECONDS;
     pick_sheet(bytes, &options->layout);
+    keep_poster_small(options);
     pick_drawing(bytes, &options->render);
     if (fuzz_below(bytes, 8) == 7 && options->size_mm < 50) /* many dots take long */
         options->colours = FUZZ_PICK(bytes, ktg_colour_rule, KTG_COLOURS_AUTO, KTG_COLOURS_ON);
