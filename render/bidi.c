@@ -2,6 +2,7 @@
  * stand. Of the bidirectional algorithm (Unicode Standard Annex 9) the part that short names need:
  * a text from left to right, stretches of it the other way, numbers in them as they are. */
 #include "render/draw.h"
+#include "render/text.h"
 
 #include <string.h>
 

@@ -1,6 +1,9 @@
 /* render/block.c - the furniture in free pockets between the pieces, for margins too narrow for
  * strips: all of it as one block where there is room, else part by part. */
 #include "render/draw.h"
+#include "render/furniture.h"
+#include "render/more_pages.h"
+#include "render/text.h"
 
 #include "core/memory.h"
 

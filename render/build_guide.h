@@ -3,6 +3,7 @@
 #define KTG_RENDER_BUILD_GUIDE_H
 
 #include "render/callouts.h"
+#include "render/more_pages.h"
 #include "render/view.h"
 
 typedef struct ktg_named_eye {

@@ -2,6 +2,8 @@
 #include "render/build_guide.h"
 
 #include "core/memory.h"
+#include "render/furniture.h"
+#include "render/text.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -2,6 +2,7 @@
 #include "render/build_guide.h"
 
 #include "core/memory.h"
+#include "render/text.h"
 
 #define NUMBER_MM  1.75
 #define SEAM_MM    0.55

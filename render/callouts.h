@@ -2,7 +2,7 @@
 #ifndef KTG_RENDER_CALLOUTS_H
 #define KTG_RENDER_CALLOUTS_H
 
-#include "render/draw.h"
+#include "render/text.h"
 
 typedef struct ktg_callout {
     char text[KTG_NAME_SIZE];

@@ -1,5 +1,6 @@
 /* render/column.c - a page that is written from top to bottom. */
 #include "render/draw.h"
+#include "render/text.h"
 
 #include <string.h>
 

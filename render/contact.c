@@ -1,5 +1,6 @@
 /* render/contact.c - all pages in one picture, side by side, for a quick look. */
 #include "render/draw.h"
+#include "render/poster.h"
 
 #define MOST_PIXELS 3000
 #define GAP_MM      8.0

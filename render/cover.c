@@ -1,5 +1,9 @@
 /* render/cover.c - the first page where there are posters: how to put them together, and maps. */
 #include "render/draw.h"
+#include "render/furniture.h"
+#include "render/more_pages.h"
+#include "render/poster.h"
+#include "render/text.h"
 
 #include <stdio.h>
 

@@ -67,8 +67,7 @@ typedef struct ktg_drawing {
     uint32_t *piece_tints; /* ... those of their pieces; NULL: white */
 } ktg_drawing;
 
-/* ---- options.c, folds.c, joints.c, piece_tints.c
- * --------------------------------------------------------- */
+/* ---- options.c, folds.c, joints.c, piece_tints.c -------------------------------------------- */
 
 /* Checks that `pattern` can be drawn (finished, laid out, indices in range) and collects what all
  * sheets share. Free with ktg_drawing_free. */
@@ -97,7 +96,7 @@ void ktg_drawing_fill_places(const ktg_pattern *pattern, uint32_t *place);
 bool ktg_drawing_side(const ktg_drawing *drawing, const uint32_t *place,
                       const ktg_pattern_side *side, ktg_vec2 corners[3]);
 
-/* ---- page.c ------------------------------------------------------------------------------- */
+/* ---- page.c --------------------------------------------------------------------------------- */
 
 /* A rectangle of the page. */
 typedef struct ktg_area {
@@ -130,7 +129,7 @@ ktg_area ktg_page_printable(const ktg_page *page);
 KTG_NODISCARD ktg_status ktg_page_draw(const ktg_drawing *drawing, size_t sheet, cairo_t *cairo,
                                        bool *furnished);
 
-/* ---- colours_draw.c ----------------------------------------------------------------------- */
+/* ---- colours_draw.c ------------------------------------------------------------------------- */
 
 /* Makes the page's colours, where there are any, and draws them; free page->colours with
  * ktg_colours_free also after a failure. */
@@ -146,7 +145,7 @@ void ktg_ground_set_fold_ink(const ktg_page *page, ktg_vec2 from, ktg_vec2 to);
 KTG_NODISCARD ktg_status ktg_colours_surface(const ktg_drawing *drawing, const ktg_colours *colours,
                                              bool packed, cairo_surface_t **surface);
 
-/* ---- lines.c, joints.c, labels.c ---------------------------------------------------------- */
+/* ---- lines.c, joints.c, labels.c ------------------------------------------------------------ */
 
 /* A straight stroke of the given kind on the page, its dashes fitted to its length. */
 void ktg_draw_stroke(const ktg_drawing *drawing, cairo_t *cairo, ktg_stroke stroke, ktg_vec2 from,
@@ -193,148 +192,7 @@ typedef struct ktg_placed_label {
 bool ktg_label_place(const ktg_page *page, const ktg_pattern_placement *placement,
                      const ktg_pattern_label *label, ktg_placed_label *placed);
 
-/* ---- font.c, text.c
- * ------------------------------------------------------------------------------- */
-
-/* The characters of a clean text in the order in which they stand from left to right: `text`
- * itself, or `ordered` where some are written the other way. */
-const char *ktg_text_order(const char *text, char ordered[KTG_TITLE_SIZE]);
-
-#define KTG_FONT_FAMILY "DejaVu Sans"
-/* Its height of a digit as a fraction of the font size. */
-#define KTG_DIGIT_PER_SIZE 0.729
-
-/* Chooses another typeface where the chosen one lacks letters of `text`, and goes back to the usual
- * one. */
-cairo_font_face_t *ktg_font_begin(cairo_t *cairo, const char *text);
-void ktg_font_end(cairo_t *cairo, cairo_font_face_t *usual);
-
-typedef enum ktg_face { KTG_FACE_PLAIN, KTG_FACE_BOLD } ktg_face;
-
-/* Copies what is valid UTF-8 of `text` (up to `length` bytes or its end) into `clean` (`size`
- * bytes): what is not becomes U+FFFD, control characters become spaces; marks of direction, and
- * what has no room, are left out, whole characters at a time. */
-void ktg_text_clean(const char *text, size_t length, char *clean, size_t size);
-
-/* Chooses face and size; `digit_mm` is the height of a digit. */
-void ktg_text_set(cairo_t *cairo, ktg_face face, double digit_mm);
-/* The width of `text` in the chosen face, in mm. */
-double ktg_text_width(cairo_t *cairo, const char *text);
-/* `text` starting at (x, baseline). */
-void ktg_text_draw(cairo_t *cairo, double x, double baseline, const char *text);
-/* A short text with its middle at the origin, which is turned by `angle` counter-clockwise against
- * the page. */
-void ktg_number_draw(cairo_t *cairo, double angle, double digit_mm, const char *text);
-/* The ground of that text: a stroke of the given width around its letters; white, or in the colour
- * that is set. */
-void ktg_text_ground(cairo_t *cairo, double x, double baseline, const char *text, double width);
-void ktg_text_halo(cairo_t *cairo, double x, double baseline, const char *text, double width);
-/* `text` shortened with an ellipsis until it is at most `width` wide; "" when not even that fits.
- * `text` is clean and is changed in place; `size` is what its array holds. */
-void ktg_text_shorten(cairo_t *cairo, double width, char *text, size_t size);
-
-/* ---- furniture.c, block.c, pocket.c, legend.c, ruler.c, guide.c
- * ------------------------------------- */
-
-/* Draws title, legend and rulers around or between the pieces; *complete is false when there was no
- * room for some of them. */
-KTG_NODISCARD ktg_status ktg_furniture_draw(const ktg_page *page, bool *complete);
-
-#define KTG_DETAIL_COUNT 5
-#define KTG_DETAIL_SIZE  96
-
-/* What is told beside the title, each a few words: "sheet 1 of 2", "12.5 mm per unit", ...; for the
- * whole pattern when `sheet` is SIZE_MAX. Returns how many there are. */
-size_t ktg_furniture_details(const ktg_drawing *drawing, size_t sheet,
-                             char details[KTG_DETAIL_COUNT][KTG_DETAIL_SIZE]);
-
-#define KTG_POCKETS 8
-
-/* What is free of a sheet. Free with ktg_pockets_drop. */
-typedef struct ktg_pockets {
-    int width, height; /* dots */
-    double scale;      /* of them in a millimetre */
-    uint32_t *sums;    /* (width + 1) x (height + 1) */
-    ktg_area within;   /* nothing is looked for outside */
-    size_t taken_count;
-    ktg_area taken[KTG_POCKETS];
-} ktg_pockets;
-
-/* What the pieces leave free of `within`. */
-KTG_NODISCARD ktg_status ktg_pockets_find(const ktg_page *page, ktg_area within,
-                                          ktg_pockets *pockets);
-void ktg_pockets_drop(ktg_pockets *pockets);
-/* A free rectangle of that size, which is taken from now on; false when there is none. */
-bool ktg_pockets_take(ktg_pockets *pockets, double width, double height, ktg_area *area);
-
-/* The same furniture, only the legend, or a picture of the model, in pockets. False when there was
- * no room for all of it. */
-bool ktg_block_draw(const ktg_page *page, ktg_pockets *pockets);
-bool ktg_block_legend(const ktg_page *page, ktg_pockets *pockets);
-KTG_NODISCARD ktg_status ktg_block_solid(const ktg_page *page, ktg_pockets *pockets);
-
-/* The word of a stroke for the legend; `brief` leaves out what goes without saying. */
-const char *ktg_legend_word(ktg_stroke stroke, bool brief);
-/* A sample of a stroke from (x, y), `width` long. */
-void ktg_legend_sample(const ktg_drawing *drawing, cairo_t *cairo, ktg_stroke stroke, double x,
-                       double y, double width);
-/* The width of the legend of the page's strokes, in one line. */
-double ktg_legend_width(const ktg_page *page, bool brief);
-/* Draws it from x on, the samples at height y, wrapped after `width`; returns the number of lines,
- * KTG_LEGEND_LINE_MM apart. With `dry` nothing is drawn. */
-size_t ktg_legend_draw(const ktg_page *page, double x, double y, double width, bool brief,
-                       bool dry);
-#define KTG_LEGEND_LINE_MM 3.6
-
-/* A ruler from (x, y) to the right: millimetres above the line, inches below, no more than
- * KTG_STRIP_MM / 2 each; 100 mm and 4 in when `whole`, else 50 mm and 2 in. With `upright` it runs
- * up the page. */
-void ktg_ruler_draw(cairo_t *cairo, double x, double y, bool whole, bool upright);
-/* How much room it takes along its line. */
-double ktg_ruler_length(bool whole);
-
-/* ---- marker.c ----------------------------------------------------------------------------- */
-
-/* True when the sheet is fabric. */
-bool ktg_is_marker(const ktg_page *page);
-/* "fabric 1400 mm wide, 2350 mm long". */
-void ktg_marker_tell(const ktg_pattern_sheet *sheet, char text[KTG_DETAIL_SIZE]);
-/* Draws the edges of the fabric, its width and its length, where the sheet is fabric. */
-void ktg_marker_draw(const ktg_page *page);
-
-/* ---- registration.c ----------------------------------------------------------------------- */
-
-#define KTG_REGISTRATION_MARKS 3
-
-/* Marks by which a cutter finds the print: crosses in circles in three corners of the margins (not
- * the lower right one), in mm from the sheet's lower left corner. False when the margins are too
- * narrow. */
-bool ktg_registration_find(const ktg_pattern_sheet *sheet, ktg_vec2 marks[KTG_REGISTRATION_MARKS],
-                           double *reach);
-/* Draws them, where they are wanted. */
-void ktg_registration_draw(const ktg_page *page);
-
-/* ---- column.c ----------------------------------------------------------------------------- */
-
-/* The state of a page that is written from top to bottom. */
-typedef struct ktg_column {
-    const ktg_drawing *drawing;
-    cairo_t *cairo;
-    double x, y, width; /* y moves down as lines are written */
-    double floor;       /* where the page ends */
-    double scale;       /* 1, less on small paper */
-} ktg_column;
-
-ktg_column ktg_column_begin(const ktg_drawing *drawing, cairo_t *cairo, double width_mm,
-                            double height_mm);
-void ktg_column_write(ktg_column *at, ktg_face face, double digit_mm, double indent,
-                      const char *text);
-void ktg_column_skip(ktg_column *at, double mm);
-/* The text in lines no longer than the column is wide; with `dry` it only takes its room. */
-void ktg_column_wrap(ktg_column *at, ktg_face face, double digit_mm, const char *text, bool dry);
-
-/* ---- tile.c, map.c, solid.c, cover.c, names.c
- * ------------------------------------------------------ */
+/* ---- names.c -------------------------------------------------------------------------------- */
 
 #define KTG_NAME_SIZE 128
 
@@ -345,77 +203,7 @@ void ktg_drawing_piece_name(const ktg_drawing *drawing, uint32_t piece, char nam
 /* Only "2 of 3"; "" where its part of the model has no other piece. */
 void ktg_drawing_piece_part(const ktg_drawing *drawing, uint32_t piece, char part[KTG_NAME_SIZE]);
 
-/* True when the sheet is part of a poster whose other sheets are known. */
-bool ktg_is_tile(const ktg_pattern_sheet *sheet);
-/* How many posters there are. */
-uint32_t ktg_poster_count(const ktg_pattern *pattern);
-/* "B3": row B, column 3; "2-B3" of the second of several posters. */
-void ktg_tile_name(const ktg_drawing *drawing, const ktg_pattern_sheet *sheet,
-                   char name[KTG_NAME_SIZE]);
-/* The tile `down` rows below and `right` columns to the right of this one, or NULL. */
-const ktg_pattern_sheet *ktg_tile_neighbour(const ktg_drawing *drawing,
-                                            const ktg_pattern_sheet *sheet, int down, int right);
-
-/* What lies under a tile's drawing, its name; and what lies over it: where neighbours join. */
-void ktg_tile_draw_ground(const ktg_page *page);
-void ktg_tile_draw_joins(const ktg_page *page);
-
-/* Where a neighbour joins: a line along one side of the tile, on the page. */
-typedef struct ktg_tile_join {
-    ktg_vec2 from, to;
-    ktg_vec2 out; /* a unit vector towards the neighbour */
-    bool trim;    /* this sheet is cut here; else the neighbour comes up to it */
-    const ktg_pattern_sheet *neighbour;
-} ktg_tile_join;
-
-/* Side 0 left, 1 above, 2 right, 3 below; false where no tile is. */
-bool ktg_tile_join_find(const ktg_page *page, int side, ktg_tile_join *found);
-
-/* The extent of a poster, and its map in `area` at `scale` (millimetres of paper for one of the
- * poster): the tiles with their names, and the piece. */
-ktg_vec2 ktg_map_size(const ktg_drawing *drawing, uint32_t poster);
-void ktg_map_draw(const ktg_drawing *drawing, cairo_t *cairo, uint32_t poster, ktg_vec2 corner,
-                  double scale);
-
-/* Whether a picture of the finished model helps: of paper, in several pieces. */
-bool ktg_solid_is_wanted(const ktg_drawing *drawing);
-/* The model in a square, seen from the front, or from behind, a little from the right and above. */
-KTG_NODISCARD ktg_status ktg_solid_draw(const ktg_drawing *drawing, cairo_t *cairo, ktg_area area,
-                                        bool from_behind);
-/* Unit vectors of the model that point right and up in such a picture. */
-void ktg_solid_eye(unsigned up, bool from_behind, ktg_vec3 *right, ktg_vec3 *above);
-
-/* How many pages with the maps of posters come first in a PDF, and one of them (from 0). */
-size_t ktg_cover_count(const ktg_drawing *drawing);
-void ktg_cover_draw(const ktg_drawing *drawing, cairo_t *cairo, size_t number);
-
-/* Cloth: a page that shows where it strains, with a square to check the printer by. */
-bool ktg_strain_is_wanted(const ktg_drawing *drawing);
-KTG_NODISCARD ktg_status ktg_strain_draw(const ktg_drawing *drawing, cairo_t *cairo,
-                                         double width_mm, double height_mm);
-/* A square of 50 mm with its upper left corner at (x, y). */
-void ktg_test_square_draw(cairo_t *cairo, double x, double y);
-
-/* A page of its own that tells how to read the pattern. */
-void ktg_guide_draw(const ktg_drawing *drawing, cairo_t *cairo, double width_mm, double height_mm);
-
-/* ---- build_page.c ------------------------------------------------------------------------- */
-
-/* "How to build it": the finished model, then step by step which seams are glued. */
-typedef struct ktg_build_guide ktg_build_guide;
-
-bool ktg_build_guide_is_wanted(const ktg_drawing *drawing);
-KTG_NODISCARD ktg_status ktg_build_guide_new(const ktg_drawing *drawing, ktg_build_guide **guide);
-void ktg_build_guide_free(ktg_build_guide **guide);
-/* The size of its pages: that of the sheets, A4 where those are very small or large. */
-void ktg_build_guide_size(const ktg_drawing *drawing, double *width_mm, double *height_mm);
-/* Draws the next page; there is always a first one. */
-KTG_NODISCARD ktg_status ktg_build_guide_draw(ktg_build_guide *guide, cairo_t *cairo,
-                                              double width_mm, double height_mm);
-/* Whether all pages are drawn. */
-bool ktg_build_guide_is_done(const ktg_build_guide *guide);
-
-/* ---- surface.c ---------------------------------------------------------------------------- */
+/* ---- surface.c ------------------------------------------------------------------------------ */
 
 /* Carries what cairo writes into an output, and the first failure out of it. */
 typedef struct ktg_sink {
@@ -427,7 +215,7 @@ typedef struct ktg_sink {
 /* The write function for cairo's streams; `closure` is a ktg_sink. */
 cairo_status_t ktg_sink_write(void *closure, const unsigned char *bytes, unsigned int size);
 
-/* ---- png.c -------------------------------------------------------------------------------- */
+/* ---- png.c ---------------------------------------------------------------------------------- */
 
 typedef ktg_status ktg_png_draw(const ktg_drawing *drawing, cairo_t *cairo, const void *what);
 

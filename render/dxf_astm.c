@@ -6,6 +6,8 @@
 #include "render/dxf.h"
 
 #include "core/memory.h"
+#include "render/poster.h"
+#include "render/text.h"
 
 #include <ctype.h>
 #include <stdio.h>

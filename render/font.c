@@ -1,6 +1,7 @@
 /* render/font.c - another typeface for texts that DejaVu Sans has not all letters of (Japanese and
  * many more): the one of the system's that has them, as fontconfig finds it. */
 #include "render/draw.h"
+#include "render/text.h"
 
 #include <fontconfig/fontconfig.h>
 #include <string.h>

@@ -1,7 +1,11 @@
 /* render/furniture.c - title, legend and rulers in the strips between the printable area and the
  * paper's edge. They never take room from the pieces. */
+#include "render/furniture.h"
 #include "core/text.h"
 #include "render/draw.h"
+#include "render/more_pages.h"
+#include "render/poster.h"
+#include "render/text.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -1,6 +1,9 @@
 /* render/guide.c - "How to read this pattern": a page of its own where sheets had no room for it.
  */
 #include "render/draw.h"
+#include "render/furniture.h"
+#include "render/more_pages.h"
+#include "render/text.h"
 
 static const char *explain(ktg_stroke stroke) {
     static const char *const words[KTG_STROKE_COUNT] = {

@@ -1,5 +1,6 @@
 /* render/labels.c - numbers and names on the pieces. */
 #include "render/draw.h"
+#include "render/text.h"
 
 #define LEADER_MM 0.12
 

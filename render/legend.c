@@ -1,5 +1,8 @@
 /* render/legend.c - what the kinds of lines mean: a short sample and a word of each. */
 #include "render/draw.h"
+#include "render/furniture.h"
+#include "render/poster.h"
+#include "render/text.h"
 
 #define SAMPLE_MM       6.0
 #define WORD_GAP_MM     1.2

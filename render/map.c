@@ -1,5 +1,7 @@
 /* render/map.c - a poster in small: its tiles with their names, and what is drawn on them. */
 #include "render/draw.h"
+#include "render/poster.h"
+#include "render/text.h"
 
 #include <stdio.h>
 

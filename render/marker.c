@@ -1,5 +1,7 @@
 /* render/marker.c - a sheet that is fabric: its edges, how wide it is and how long. */
 #include "render/draw.h"
+#include "render/furniture.h"
+#include "render/text.h"
 
 #include <stdio.h>
 

@@ -1,5 +1,7 @@
 /* render/names.c - what pieces and tiles are called, on the sheets and in a reader's outline. */
 #include "render/draw.h"
+#include "render/poster.h"
+#include "render/text.h"
 
 #include <stdio.h>
 

@@ -5,6 +5,7 @@
  * cluster (in a PDF: a span with its text) between two blanks, which begin and end where the number
  * would in the nearest of the four directions. */
 #include "render/draw.h"
+#include "render/text.h"
 
 #include <string.h>
 

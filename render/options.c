@@ -1,5 +1,7 @@
 /* render/options.c - the defaults, and what is checked before anything is drawn. */
 #include "render/draw.h"
+#include "render/poster.h"
+#include "render/text.h"
 
 #include "core/memory.h"
 

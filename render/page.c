@@ -1,5 +1,7 @@
 /* render/page.c - one sheet: where its pieces come to lie on the page, layer by layer. */
 #include "render/colours.h"
+#include "render/furniture.h"
+#include "render/poster.h"
 
 ktg_motion2 ktg_page_motion(const ktg_pattern_placement *placement) {
     return (ktg_motion2){

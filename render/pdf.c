@@ -1,6 +1,8 @@
 /* render/pdf.c - all sheets as one PDF, a page each. */
 #include "core/memory.h"
 #include "render/draw.h"
+#include "render/more_pages.h"
+#include "render/poster.h"
 
 #include <cairo-pdf.h>
 #include <stdio.h>

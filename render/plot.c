@@ -2,6 +2,7 @@
 #include "render/plot.h"
 
 #include "core/memory.h"
+#include "render/text.h"
 
 #include <stdio.h>
 

@@ -3,6 +3,9 @@
 #include "render/plot.h"
 
 #include "core/memory.h"
+#include "render/furniture.h"
+#include "render/poster.h"
+#include "render/text.h"
 
 #include <stdio.h>
 

@@ -1,6 +1,7 @@
 /* render/pocket.c - where on a sheet nothing lies: a coarse picture of the pieces, and sums over it
  * that tell at once whether a rectangle is free (Crow 1984). */
 #include "render/draw.h"
+#include "render/furniture.h"
 
 #include "core/memory.h"
 

@@ -1,5 +1,6 @@
 /* render/registration.c - marks by which a cutter finds the print on a sheet. */
 #include "render/draw.h"
+#include "render/furniture.h"
 
 #define LEAST_REACH_MM 0.8
 #define MOST_REACH_MM  3.0

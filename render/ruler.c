@@ -1,5 +1,7 @@
 /* render/ruler.c - millimetres and inches on one line: a printer that scales is found out. */
 #include "render/draw.h"
+#include "render/furniture.h"
+#include "render/text.h"
 
 #define INCH_MM     25.4
 #define LONG_MM     1.5

@@ -1,6 +1,7 @@
 /* render/shapes.c - surfaces side by side in one picture: a model before and after a change. They
  * become one surface, set apart along what is right in the picture, drawn as a solid is. */
 #include "render/draw.h"
+#include "render/more_pages.h"
 
 #include "core/memory.h"
 

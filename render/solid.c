@@ -3,6 +3,7 @@
 #include "render/view.h"
 
 #include "core/memory.h"
+#include "render/more_pages.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -3,6 +3,8 @@
 #include "core/memory.h"
 #include "core/text.h"
 #include "render/draw.h"
+#include "render/more_pages.h"
+#include "render/text.h"
 
 #include <stdio.h>
 #include <string.h>

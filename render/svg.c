@@ -4,6 +4,7 @@
 #include "render/svg_colours.h"
 
 #include "core/memory.h"
+#include "render/text.h"
 
 #include <string.h>
 

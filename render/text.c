@@ -1,4 +1,5 @@
 /* render/text.c - text that is always valid, in one typeface, measured in millimetres. */
+#include "render/text.h"
 #include "render/draw.h"
 
 #include <string.h>

@@ -3,6 +3,8 @@
  * A sheet is trimmed along its left and upper line, where there is a neighbour, and laid over that
  * one's strip up to the dashed line: there the halves of the crosses meet. */
 #include "render/draw.h"
+#include "render/poster.h"
+#include "render/text.h"
 
 #include <stdio.h>
 

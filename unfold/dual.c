@@ -45,7 +45,7 @@ static void lay_flat(const ktg_vec3 *vectors, const double *lengths, ktg_vec2 *f
                                                : ktg_mul2(flat_vectors[last], -1);
 }
 
-static ktg_status allocate(ktg_context *context, ktg_dual *dual) {
+ktg_status ktg_dual_allocate(ktg_context *context, ktg_dual *dual) {
     size_t corners = 3 * (size_t)dual->face_count;
     dual->mesh_face = ktg_new(context, dual->face_count, uint32_t);
     dual->faces = ktg_new(context, corners, uint32_t);
@@ -152,7 +152,7 @@ ktg_status ktg_dual_new(ktg_context *context, const ktg_mesh *mesh, const ktg_ad
     if (!*dual)
         return KTG_MEMORY;
     (*dual)->face_count = face_count;
-    ktg_status status = allocate(context, *dual);
+    ktg_status status = ktg_dual_allocate(context, *dual);
     if (status == KTG_OK) {
         memcpy((*dual)->mesh_face, mesh_faces, face_count * sizeof *mesh_faces);
         status = take_faces(context, mesh, *dual);

@@ -46,6 +46,9 @@ KTG_NODISCARD ktg_status ktg_dual_new(ktg_context *context, const ktg_mesh *mesh
                                       uint32_t face_count, double scale, ktg_dual **dual);
 void ktg_dual_free(ktg_dual **dual);
 
+/* Arrays for `face_count` faces, zeros; on KTG_MEMORY some may be NULL, and ktg_dual_free does. */
+KTG_NODISCARD ktg_status ktg_dual_allocate(ktg_context *context, ktg_dual *dual);
+
 /* The dual's number of a face of the mesh, KTG_NONE when it is not in it. */
 uint32_t ktg_dual_face(const ktg_dual *dual, uint32_t mesh_face);
 

@@ -4,22 +4,6 @@
 
 #include <string.h>
 
-static ktg_status allocate(ktg_context *context, ktg_dual *part) {
-    size_t corners = 3 * (size_t)part->face_count;
-    part->mesh_face = ktg_new(context, part->face_count, uint32_t);
-    part->faces = ktg_new(context, corners, uint32_t);
-    part->halfedge_edge = ktg_new(context, corners, uint32_t);
-    part->edge_vectors = ktg_new(context, corners, ktg_vec3);
-    part->lengths = ktg_new(context, corners, double);
-    part->flat = ktg_new(context, corners, ktg_vec2);
-    part->flat_vectors = ktg_new(context, corners, ktg_vec2);
-    part->edges = ktg_new(context, corners + 1, ktg_dual_edge);
-    return part->mesh_face && part->faces && part->halfedge_edge && part->edge_vectors &&
-                   part->lengths && part->flat && part->flat_vectors && part->edges
-               ? KTG_OK
-               : KTG_MEMORY;
-}
-
 static void copy_faces(const ktg_dual *dual, const uint32_t *faces, ktg_dual *part) {
     for (size_t i = 0; i < part->face_count; i++) {
         size_t from = 3 * (size_t)faces[i], to = 3 * i;
@@ -54,7 +38,7 @@ static void copy_edges(const ktg_dual *dual, const uint32_t *place, ktg_dual *pa
 static ktg_status fill(ktg_context *context, const ktg_dual *dual, const uint32_t *faces,
                        ktg_dual *part, uint32_t *edge_of) {
     uint32_t *place = ktg_new(context, dual->face_count, uint32_t);
-    ktg_status status = place && edge_of ? allocate(context, part) : KTG_MEMORY;
+    ktg_status status = place && edge_of ? ktg_dual_allocate(context, part) : KTG_MEMORY;
     if (status == KTG_OK) {
         memset(place, 0xff, dual->face_count * sizeof *place);
         for (uint32_t i = 0; i < part->face_count; i++)

@@ -1,4 +1,4 @@
-/* tests/render/pdf_words.h - what other programs say about a PDF. */
+/* tests/render/pdf_words.h - what a PDF says, and what other programs say about it. */
 #ifndef KTG_TESTS_RENDER_PDF_WORDS_H
 #define KTG_TESTS_RENDER_PDF_WORDS_H
 
@@ -9,9 +9,22 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 #include <cmocka.h>
+
+/* How often a text stands in some bytes. */
+static inline size_t count_text(const char *bytes, size_t size, const char *text) {
+    size_t count = 0, length = strlen(text);
+    for (const char *at = bytes; (at = memmem(at, size - (size_t)(at - bytes), text, length)); at++)
+        count++;
+    return count;
+}
+
+static inline size_t count_pages(const char *bytes, size_t size) {
+    return count_text(bytes, size, "/Type /Page") - count_text(bytes, size, "/Type /Pages");
+}
 
 static inline bool installed(const char *program) {
     char command[100];

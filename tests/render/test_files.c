@@ -22,17 +22,6 @@ static ktg_pattern *two_on_a4(ktg_context *context) {
     return make_strips(context, 2, 210, 297, 10, 40, 200);
 }
 
-static size_t count_text(const char *bytes, size_t size, const char *text) {
-    size_t count = 0, length = strlen(text);
-    for (const char *at = bytes; (at = memmem(at, size - (size_t)(at - bytes), text, length)); at++)
-        count++;
-    return count;
-}
-
-static size_t count_pages(const char *bytes, size_t size) {
-    return count_text(bytes, size, "/Type /Page") - count_text(bytes, size, "/Type /Pages");
-}
-
 static void a_pdf_has_a_page_per_sheet(void **state) {
     ktg_context *context = *state;
     ktg_pattern *pattern = two_on_a4(context);

@@ -5,6 +5,7 @@
 #include <setjmp.h>
 #include <stdarg.h>
 
+#include "render/furniture.h"
 #include "tests/render/picture.h"
 #include "tests/render/strip.h"
 

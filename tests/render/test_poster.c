@@ -1,6 +1,8 @@
 /* What helps to put things together: marks where the tiles of a poster join, the cover with their
  * map, a picture of the finished model. */
 #include "render/draw.h"
+#include "render/more_pages.h"
+#include "render/poster.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -117,17 +119,6 @@ static void tiles_are_named_by_row_and_column(void **state) {
     assert_int_equal(ktg_poster_count(pattern), 3);
     ktg_drawing_free(&drawing);
     ktg_pattern_free(&pattern);
-}
-
-static size_t count_text(const char *bytes, size_t size, const char *text) {
-    size_t count = 0, length = strlen(text);
-    for (const char *at = bytes; (at = memmem(at, size - (size_t)(at - bytes), text, length)); at++)
-        count++;
-    return count;
-}
-
-static size_t count_pages(const char *bytes, size_t size) {
-    return count_text(bytes, size, "/Type /Page") - count_text(bytes, size, "/Type /Pages");
 }
 
 static void a_cover_with_the_maps_comes_first(void **state) {

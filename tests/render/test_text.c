@@ -1,5 +1,6 @@
 /* Text that is always valid. */
 #include "render/draw.h"
+#include "render/text.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
