@@ -25,6 +25,9 @@ typedef struct ktg_json_reader {
 /* Fills pattern->pieces; their components are left open (KTG_NONE). */
 KTG_NODISCARD ktg_status ktg_json_read_pieces(ktg_json_reader *reader);
 
+/* Fills pattern->seams, and tells the edges, which are there, their seams. */
+KTG_NODISCARD ktg_status ktg_json_read_seams(const ktg_json_reader *reader);
+
 /* The id at `key` as an index. */
 KTG_NODISCARD ktg_status ktg_json_read_id(const ktg_json *object, const char *key,
                                           const ktg_json_ids *ids, uint32_t *index);
