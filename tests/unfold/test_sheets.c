@@ -120,8 +120,13 @@ static void numbers_can_be_asked_for(void **state) {
 static void a_short_time_is_enough_for_an_answer(void **state) {
     ktg_mesh *mesh = shape_bumpy_sphere(*state);
     ktg_unfold_options options = options_at(200);
+    ktg_unfold_report report;
+    ktg_pattern *pattern;
     options.seconds = 1e-6;
-    (void)divide(*state, mesh, &options);
+    assert_int_equal(ktg_unfold(*state, mesh, "thing", &options, &pattern, &report), KTG_OK);
+    assert_int_equal(report.stopped_by, KTG_STOPPED_TIME);
+    check_pattern(*state, &options, pattern);
+    ktg_pattern_free(&pattern);
     ktg_mesh_free(&mesh);
 }
 
