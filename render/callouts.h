@@ -1,4 +1,5 @@
-/* render/callouts.h - short texts at points of a picture, none over another (render only). */
+/* render/callouts.h - short texts at points of a picture, or beside it, none over another (render
+ * only). */
 #ifndef KTG_RENDER_CALLOUTS_H
 #define KTG_RENDER_CALLOUTS_H
 
@@ -15,6 +16,12 @@ typedef struct ktg_callout {
  * by, with room for a leader; never over what is taken, nor out of `within`. */
 void ktg_callouts_place(cairo_t *cairo, ktg_callout *callouts, size_t count, double digit_mm,
                         ktg_area within, const ktg_area *taken, size_t taken_count);
+/* Where more than a quarter of them found no place at their points, or they hide more than an
+ * eighth of the picture: puts all in two columns beside it, with leaders that do not cross, if
+ * there is room `within`. */
+KTG_NODISCARD ktg_status ktg_callouts_spread(ktg_context *context, cairo_t *cairo,
+                                             ktg_callout *callouts, size_t count, double digit_mm,
+                                             ktg_area within, ktg_area picture);
 /* Draws those that have a place, on white, with a line to the point where that is beside them. */
 void ktg_callouts_draw(cairo_t *cairo, const ktg_callout *callouts, size_t count, double digit_mm,
                        ktg_face face);

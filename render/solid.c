@@ -150,6 +150,12 @@ static void name_piece(const ktg_drawing *drawing, uint32_t piece, ktg_callout *
         ktg_drawing_piece_name(drawing, piece, callout->text);
 }
 
+static ktg_area box_of(const ktg_picture *picture) {
+    ktg_vec2 end = ktg_picture_point(
+        picture, (ktg_vec2){(double)picture->view.width, (double)picture->view.height});
+    return (ktg_area){picture->corner.x, picture->corner.y, end.x, end.y};
+}
+
 static ktg_status write_names(const solid *s, const ktg_picture *picture, cairo_t *cairo,
                               ktg_area area) {
     const ktg_drawing *drawing = s->drawing;
@@ -165,6 +171,8 @@ static ktg_status write_names(const solid *s, const ktg_picture *picture, cairo_
             name_piece(drawing, sights[count].piece, &callouts[count]);
         }
         ktg_callouts_place(cairo, callouts, count, NAME_MM, area, NULL, 0);
+        status = ktg_callouts_spread(drawing->context, cairo, callouts, count, NAME_MM, area,
+                                     box_of(picture));
         ktg_callouts_draw(cairo, callouts, count, NAME_MM, KTG_FACE_PLAIN);
     }
     ktg_free(sights);
