@@ -109,10 +109,23 @@ typedef struct job {
     double start;
 } job;
 
+/* Texture coordinates that nothing goes by would only hinder the simplification. */
+static void drop_idle_uvs(const ktg_pipeline_options *options, const ktg_paint *paint,
+                          ktg_mesh *mesh) {
+    if (paint || (options->mode == KTG_CLOTH && options->flatten.seams & KTG_SEAMS_UV))
+        return;
+    ktg_free(mesh->face_uv);
+    ktg_free(mesh->uvs);
+    mesh->face_uv = NULL;
+    mesh->uvs = NULL;
+    mesh->uv_count = 0;
+}
+
 static ktg_status shape(ktg_context *context, const ktg_pipeline_options *options, job *j,
                         ktg_pipeline_report *report) {
     KTG_TRY(repair(context, options, j->mesh, report));
     KTG_TRY(ktg_paint_of_model(context, options, j->mesh, &j->paint, &report->paint));
+    drop_idle_uvs(options, j->paint, j->mesh);
     KTG_TRY(simplify(context, options, j->mesh, report));
     KTG_TRY(look_for_intersections(context, j->mesh, report));
     KTG_TRY(ktg_hand_make_rules(context, options, j->mesh, &j->hand));

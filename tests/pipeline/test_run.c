@@ -195,6 +195,50 @@ static void a_large_model_is_simplified_and_says_so(void **state) {
     ktg_pattern_free(&p);
 }
 
+/* A hilly field of 128 faces; with `charts` its halves have charts of their own. */
+static void write_field(bench *b, const char *name, bool charts) {
+    char text[20000];
+    size_t used = 0;
+    for (int k = 0; k < 2 * 81; k++)
+        used += (size_t)snprintf(text + used, sizeof text - used, "vt %g %g\n",
+                                 k % 9 / 8.0 + k / 81, k / 9 % 9 / 8.0);
+    for (int k = 0; k < 81; k++)
+        used += (size_t)snprintf(text + used, sizeof text - used, "v %d %g %d\n", k % 9,
+                                 sin(0.7 * (k % 9)) + cos(0.4 * (k % 9) * (k / 9)), k / 9);
+    for (int k = 0; k < 64; k++) {
+        int a = 9 * (k / 8) + k % 8 + 1, chart = k % 8 < 4 ? 0 : 81;
+        int corners[] = {a, a + 9, a + 10, a + 1};
+        used += (size_t)snprintf(text + used, sizeof text - used, "f");
+        for (int c = 0; c < 4; c++)
+            used += (size_t)snprintf(text + used, sizeof text - used, charts ? " %d/%d" : " %d",
+                                     corners[c], corners[c] + chart);
+        used += (size_t)snprintf(text + used, sizeof text - used, "\n");
+    }
+    bench_write(b, name, text);
+    snprintf(b->model, sizeof b->model, "%s", bench_path(b, name));
+    b->options.model = b->model;
+}
+
+static void coordinates_of_no_image_hinder_nothing(void **state) {
+    bench *b = *state;
+    ktg_pipeline_report r;
+    ktg_pattern *nets[2];
+    for (int charts = 0; charts < 2; charts++) {
+        write_field(b, "field.obj", charts);
+        b->options.faces = 60;
+        bench_no_outputs(b);
+        bench_output(b, "net.json");
+        bench_run(b, &r);
+        assert_int_equal(r.faces, 60);
+        nets[charts] = bench_pattern(b, "net.json");
+    }
+    assert_int_equal(nets[0]->vertex_count, nets[1]->vertex_count);
+    assert_memory_equal(nets[0]->vertices, nets[1]->vertices,
+                        nets[0]->vertex_count * sizeof *nets[0]->vertices);
+    ktg_pattern_free(&nets[0]);
+    ktg_pattern_free(&nets[1]);
+}
+
 static void cloth_goes_the_same_way(void **state) {
     bench *b = *state;
     ktg_pipeline_report r;
@@ -295,6 +339,8 @@ int main(void) {
         cmocka_unit_test_setup_teardown(what_fits_is_one_sheet_and_hardly_more_does, bench_setup,
                                         bench_teardown),
         cmocka_unit_test_setup_teardown(a_large_model_is_simplified_and_says_so, bench_setup,
+                                        bench_teardown),
+        cmocka_unit_test_setup_teardown(coordinates_of_no_image_hinder_nothing, bench_setup,
                                         bench_teardown),
         cmocka_unit_test_setup_teardown(cloth_goes_the_same_way, bench_setup, bench_teardown),
         cmocka_unit_test_setup_teardown(cloth_has_colours_when_they_are_asked_for, bench_setup,
