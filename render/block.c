@@ -136,8 +136,8 @@ bool ktg_block_legend(const ktg_page *page, ktg_pockets *pockets) {
 /* Two views side by side, two above each other, or one; large, or small. */
 ktg_status ktg_block_solid(const ktg_page *page, ktg_pockets *pockets) {
     static const int views[][2] = {{2, 1}, {1, 2}, {1, 1}};
-    static const double sizes[] = {60, 45, 35};
-    for (size_t i = 0; i < 9; i++) {
+    static const double sizes[] = {88, 60, 45, 35};
+    for (size_t i = 0; i < 3 * sizeof sizes / sizeof *sizes; i++) {
         const int *view = views[i % 3];
         double size = sizes[i / 3];
         ktg_area area;

@@ -5,17 +5,20 @@
 
 #include <stdlib.h>
 
-#define GAP_MM      0.35 /* between two texts */
-#define RINGS       7
-#define RING_MM     1.7
-#define TURNS       16
-#define LINE_MM     0.12
-#define HALO_MM     0.4 /* of white around that line */
-#define POINT_MM    0.35
-#define MOST_AWAY   4   /* with more than one of so many away from its point, ... */
-#define MOST_HIDDEN 8   /* ... or more than one part of so many hidden, all go beside the picture */
-#define ASIDE_MM    3.0 /* from the picture to the texts beside it */
-#define LINES       2.1 /* from text to text beside it, in digits */
+#define GAP_MM    0.35 /* between two texts */
+#define RINGS     7
+#define RING_MM   1.7
+#define TURNS     16
+#define LINE_MM   0.12
+#define HALO_MM   0.4 /* of white around that line */
+#define POINT_MM  0.35
+#define MOST_AWAY 4 /* with more than one of so many away from its point, ... */
+#define MOST_HIDDEN                                                                                \
+    10                   /* ... or more than one part of so many hidden, all go beside the picture \
+                          */
+#define ASIDE_MM    3.0  /* from the picture to the texts beside it */
+#define ROUNDING_MM 0.05 /* dots of a picture do not end where its area does */
+#define LINES       2.1  /* from text to text beside it, in digits */
 
 static bool meets(ktg_area a, ktg_area b) {
     return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1;
@@ -80,6 +83,14 @@ static double area_of(ktg_area a) {
     return (a.x1 - a.x0) * (a.y1 - a.y0);
 }
 
+double ktg_callouts_area(double width, double digit_mm) {
+    return area_of(box_at((ktg_vec2){0, 0}, width, digit_mm));
+}
+
+bool ktg_callouts_hide(double texts_mm2, double picture_mm2) {
+    return texts_mm2 * MOST_HIDDEN > picture_mm2;
+}
+
 /* Whether many are not at their points, or they hide much of the picture. */
 static bool are_crowded(const ktg_callout *callouts, size_t count, ktg_area picture) {
     size_t away = 0;
@@ -88,7 +99,7 @@ static bool are_crowded(const ktg_callout *callouts, size_t count, ktg_area pict
         away += !is_at_its_point(&callouts[i]);
         hidden += area_of(callouts[i].box);
     }
-    return away * MOST_AWAY > count || hidden * MOST_HIDDEN > area_of(picture);
+    return away * MOST_AWAY > count || ktg_callouts_hide(hidden, area_of(picture));
 }
 
 static int compare_doubles(double a, double b) {
@@ -186,14 +197,19 @@ static void put_column(cairo_t *cairo, ktg_callout **row, size_t count, double d
     uncross(row, count);
 }
 
+ktg_vec2 ktg_callouts_room(size_t count, double widest, double digit_mm) {
+    return (ktg_vec2){widest + ASIDE_MM + 2 * GAP_MM, (double)(count + 1) / 2 * LINES * digit_mm};
+}
+
 /* Whether the texts, and so many lines, fit beside the picture. */
 static bool has_room_beside(cairo_t *cairo, const ktg_callout *callouts, size_t count,
                             double digit_mm, ktg_area within, ktg_area picture) {
-    double room = fmin(picture.x0 - within.x0, within.x1 - picture.x1) - ASIDE_MM - 2 * GAP_MM;
+    double widest = 0;
     for (size_t i = 0; i < count; i++)
-        if (ktg_text_width(cairo, callouts[i].text) > room)
-            return false;
-    return (double)(count + 1) / 2 * LINES * digit_mm <= within.y1 - within.y0;
+        widest = fmax(widest, ktg_text_width(cairo, callouts[i].text));
+    ktg_vec2 room = ktg_callouts_room(count, widest, digit_mm);
+    return room.x <= fmin(picture.x0 - within.x0, within.x1 - picture.x1) + ROUNDING_MM &&
+           room.y <= within.y1 - within.y0;
 }
 
 ktg_status ktg_callouts_spread(ktg_context *context, cairo_t *cairo, ktg_callout *callouts,

@@ -22,6 +22,12 @@ void ktg_callouts_place(cairo_t *cairo, ktg_callout *callouts, size_t count, dou
 KTG_NODISCARD ktg_status ktg_callouts_spread(ktg_context *context, cairo_t *cairo,
                                              ktg_callout *callouts, size_t count, double digit_mm,
                                              ktg_area within, ktg_area picture);
+/* The room that takes on each side of the picture: a width and a height. */
+ktg_vec2 ktg_callouts_room(size_t count, double widest, double digit_mm);
+/* What a text of that width takes, in mm2, ... */
+double ktg_callouts_area(double width, double digit_mm);
+/* ... and whether texts of so much area are too much to stand on a picture of that area. */
+bool ktg_callouts_hide(double texts_mm2, double picture_mm2);
 /* Draws those that have a place, on white, with a line to the point where that is beside them. */
 void ktg_callouts_draw(cairo_t *cairo, const ktg_callout *callouts, size_t count, double digit_mm,
                        ktg_face face);

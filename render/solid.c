@@ -12,6 +12,8 @@
 #define NAME_MM     1.9
 #define MANY_PIECES 10   /* then "2 of 12" is only called 2 */
 #define LEAST_MM    1.5  /* pieces of which one sees a smaller square have no name */
+#define SEEN_SHARE  0.7  /* of the pieces, from one side */
+#define LEAST_SHARE 0.6  /* that is left of a picture's width for names beside it */
 #define TURN        0.55 /* radians: the eye is so far to the right of the front ... */
 #define RISE        0.4  /* ... and above */
 
@@ -150,6 +152,31 @@ static void name_piece(const ktg_drawing *drawing, uint32_t piece, ktg_callout *
         ktg_drawing_piece_name(drawing, piece, callout->text);
 }
 
+/* The area that leaves room for names beside a picture they would crowd on, unless the picture
+ * became too small. */
+static ktg_area leave_room(const ktg_drawing *drawing, cairo_t *cairo, ktg_area seen,
+                           ktg_area area) {
+    size_t count = drawing->pattern->piece_count;
+    double widest = 0, texts = 0;
+    ktg_vec2 whole = {area.x1 - area.x0, area.y1 - area.y0};
+    ktg_vec2 size = {seen.x1 - seen.x0, seen.y1 - seen.y0};
+    double scale = fmin(whole.x / size.x, whole.y / size.y);
+    ktg_text_set(cairo, KTG_FACE_PLAIN, NAME_MM);
+    for (uint32_t p = 0; p < count; p++) {
+        ktg_callout callout;
+        name_piece(drawing, p, &callout);
+        double width = ktg_text_width(cairo, callout.text);
+        widest = fmax(widest, width);
+        texts += SEEN_SHARE * ktg_callouts_area(width, NAME_MM);
+    }
+    ktg_vec2 room = ktg_callouts_room((size_t)ceil(SEEN_SHARE * (double)count), widest, NAME_MM);
+    double left = whole.x - 2 * room.x;
+    if (!ktg_callouts_hide(texts, size.x * size.y * scale * scale) || room.y > whole.y ||
+        left < LEAST_SHARE * size.x * scale)
+        return area;
+    return (ktg_area){area.x0 + room.x, area.y0, area.x1 - room.x, area.y1};
+}
+
 static ktg_area box_of(const ktg_picture *picture) {
     ktg_vec2 end = ktg_picture_point(
         picture, (ktg_vec2){(double)picture->view.width, (double)picture->view.height});
@@ -200,7 +227,8 @@ static ktg_status draw(const solid *s, cairo_t *cairo, ktg_area area, bool from_
     ktg_area seen;
     if (!ktg_view_extent(pattern, NULL, &eye, &seen))
         return KTG_OK;
-    KTG_TRY(ktg_picture_draw(s->drawing->context, pattern, NULL, &eye, seen, &look, cairo, area,
+    ktg_area inner = pattern->piece_count > 1 ? leave_room(s->drawing, cairo, seen, area) : area;
+    KTG_TRY(ktg_picture_draw(s->drawing->context, pattern, NULL, &eye, seen, &look, cairo, inner,
                              picture));
     KTG_TRY(s->sampling->status);
     return pattern->piece_count > 1 ? write_names(s, picture, cairo, area) : KTG_OK;

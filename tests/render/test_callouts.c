@@ -160,6 +160,27 @@ static void without_room_beside_nothing_changes(void **state) {
     assert_memory_equal(before, b->callouts, b->count * sizeof *before);
 }
 
+static void the_room_that_is_told_is_just_enough(void **state) {
+    board *b = *state;
+    tell_many(b, 12);
+    ktg_callouts_place(b->cairo, b->callouts, b->count, DIGIT_MM, page, NULL, 0);
+    double widest = 0;
+    for (size_t i = 0; i < b->count; i++)
+        widest = fmax(widest, ktg_text_width(b->cairo, b->callouts[i].text));
+    ktg_vec2 room = ktg_callouts_room(b->count, widest, DIGIT_MM);
+    for (int enough = 0; enough < 2; enough++) {
+        double x = room.x + (enough ? 0 : -0.1);
+        ktg_area shown = {page.x0 + x, 5, page.x1 - x, 55};
+        assert_int_equal(
+            ktg_callouts_spread(b->context, b->cairo, b->callouts, b->count, DIGIT_MM, page, shown),
+            KTG_OK);
+        size_t beside = 0;
+        for (size_t i = 0; i < b->count; i++)
+            beside += b->callouts[i].box.x1 < shown.x0 - 2 || b->callouts[i].box.x0 > shown.x1 + 2;
+        assert_int_equal(beside, enough ? b->count : 0);
+    }
+}
+
 static void short_memory_is_told(void **state) {
     board *b = *state;
     ktg_status status = KTG_MEMORY;
@@ -178,11 +199,9 @@ static void short_memory_is_told(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        CASE(few_texts_stay_at_their_points),
-        CASE(a_crowd_goes_beside_the_picture),
-        CASE(leaders_are_level_where_they_can_be),
-        CASE(without_room_beside_nothing_changes),
-        CASE(short_memory_is_told),
+        CASE(few_texts_stay_at_their_points),       CASE(a_crowd_goes_beside_the_picture),
+        CASE(leaders_are_level_where_they_can_be),  CASE(without_room_beside_nothing_changes),
+        CASE(the_room_that_is_told_is_just_enough), CASE(short_memory_is_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
