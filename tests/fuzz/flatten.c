@@ -48,7 +48,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     options.finish.on_fold_count = named % 8 == 7 ? 3 : 0;
     options.flatten.grains = &grain;
     options.flatten.grain_count = named / 8 % 8 == 7;
-    fuzz_job(context, &options, fuzz_model(&bytes));
+    const char *model = fuzz_model(&bytes);
+    fuzz_job(context, &options, model, &bytes);
     ktg_context_free(&context);
     return 0;
 }

@@ -1,6 +1,7 @@
 /* tests/fuzz/job.c - the whole job on a tiny model: whatever comes out is proved. */
 #include "tests/fuzz/job.h"
 #include "tests/fuzz/model.h"
+#include "tests/fuzz/trouble.h"
 #include "verify/verify.h"
 
 #include <math.h>
@@ -96,7 +97,8 @@ void fuzz_prove(ktg_context *context, const char *json, const char *model) {
     ktg_pattern_free(&copy);
 }
 
-void fuzz_job(ktg_context *context, ktg_pipeline_options *options, const char *model) {
+void fuzz_job(ktg_context *context, ktg_pipeline_options *options, const char *model,
+              fuzz_bytes *bytes) {
     char model_path[512], json[512];
     snprintf(model_path, sizeof model_path, "%s", model);
     snprintf(json, sizeof json, "%s", fuzz_path("/out.json"));
@@ -108,7 +110,10 @@ void fuzz_job(ktg_context *context, ktg_pipeline_options *options, const char *m
     options->output_count = sizeof outputs / sizeof *outputs;
     options->report = fuzz_path("/report.json");
     ktg_pipeline_report report;
-    bool done = fuzz_succeeded(context, ktg_pipeline_run(context, options, &report));
+    fuzz_trouble trouble;
+    fuzz_trouble_begin(bytes, context, &trouble);
+    ktg_status status = ktg_pipeline_run(context, options, &report);
+    bool done = fuzz_trouble_end(context, &trouble, status);
     ktg_pipeline_report_free(&report);
     if (done)
         fuzz_prove(context, json, options->edit || options->omit_count ? NULL : model_path);

@@ -44,7 +44,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     options.cut_count = edges && hand % 2;
     options.omit = &omit;
     options.omit_count = hand == 7;
-    fuzz_job(context, &options, fuzz_model(&bytes));
+    const char *model = fuzz_model(&bytes);
+    fuzz_job(context, &options, model, &bytes);
     ktg_context_free(&context);
     return 0;
 }
