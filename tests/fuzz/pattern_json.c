@@ -4,6 +4,7 @@
 #include "pattern/pattern.h"
 #include "render/render.h"
 #include "tests/fuzz/fuzz.h"
+#include "tests/fuzz/trouble.h"
 #include "verify/verify.h"
 
 static const char *write_json(ktg_context *context, const ktg_pattern *pattern, const char *name) {
@@ -44,11 +45,20 @@ static void finish_again(ktg_context *context, ktg_pattern *pattern) {
     fuzz_must(context, ktg_verify(context, pattern, NULL, &proof));
 }
 
+static void read_with_little_memory(ktg_context *context, const char *path) {
+    ktg_pattern *pattern;
+    if (!fuzz_trouble_over(context, ktg_pattern_read_json(context, path, &pattern)))
+        fuzz_expect(!pattern, "a pattern comes with a failure");
+    ktg_pattern_free(&pattern);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     ktg_context *context = fuzz_context();
     ktg_pattern *pattern;
     ktg_verify_report report;
     const char *path = fuzz_file("/some.json", data, size);
+    if (fuzz_trouble_memory(context, data, size))
+        read_with_little_memory(context, path);
     if (fuzz_succeeded(context, ktg_pattern_read_json(context, path, &pattern))) {
         check_round_trip(context, pattern);
         ktg_status status = ktg_verify(context, pattern, NULL, &report);

@@ -1,5 +1,6 @@
 /* tests/fuzz/reading.c - what must hold of a model file that is read. */
 #include "tests/fuzz/reading.h"
+#include "tests/fuzz/trouble.h"
 
 #include <string.h>
 
@@ -40,10 +41,22 @@ static void check_repair(ktg_context *context, ktg_mesh *mesh) {
     fuzz_expect(!repair.changed, "a repaired mesh is repaired again");
 }
 
+static void read_with_little_memory(ktg_context *context, const char *path,
+                                    ktg_mesh_format format) {
+    ktg_mesh *mesh;
+    if (fuzz_trouble_over(context, ktg_mesh_read(context, path, format, &mesh)))
+        fuzz_check_mesh(mesh);
+    else
+        fuzz_expect(!mesh, "a model comes with a failure");
+    ktg_mesh_free(&mesh);
+}
+
 void fuzz_reading(const uint8_t *data, size_t size, ktg_mesh_format format, const char *name) {
     ktg_context *context = fuzz_context();
     ktg_mesh *mesh = NULL;
     const char *path = fuzz_file(name, data, size);
+    if (fuzz_trouble_memory(context, data, size))
+        read_with_little_memory(context, path, format);
     if (fuzz_succeeded(context, ktg_mesh_read(context, path, format, &mesh))) {
         fuzz_expect(mesh->face_count > 0, "a model without faces is read");
         fuzz_check_mesh(mesh);

@@ -31,7 +31,23 @@ bool fuzz_trouble_end(ktg_context *context, fuzz_trouble *trouble, ktg_status st
     ktg_context_fail_allocation(context, 0);
     fuzz_expect(stopped ? status != KTG_OK : status != KTG_CANCELLED,
                 "a wish to stop is not heard, or one that nobody had");
-    if (status != KTG_MEMORY || !trouble->memory_is_short)
+    return trouble->memory_is_short ? fuzz_trouble_over(context, status)
+                                    : fuzz_succeeded(context, status);
+}
+
+bool fuzz_trouble_memory(ktg_context *context, const uint8_t *data, size_t size) {
+    uint32_t sum = 2166136261u; /* Fowler, Noll and Vo */
+    for (size_t i = 0; i < size; i++)
+        sum = (sum ^ data[i]) * 16777619u;
+    if (sum % 4 != 0)
+        return false;
+    ktg_context_fail_allocation(context, 1 + sum / 4 % 64);
+    return true;
+}
+
+bool fuzz_trouble_over(ktg_context *context, ktg_status status) {
+    ktg_context_fail_allocation(context, 0);
+    if (status != KTG_MEMORY)
         return fuzz_succeeded(context, status);
     fuzz_expect(strlen(ktg_context_message(context)) > 0, "short memory is not told");
     return false;

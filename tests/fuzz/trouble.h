@@ -17,4 +17,11 @@ void fuzz_trouble_begin(fuzz_bytes *bytes, ktg_context *context, fuzz_trouble *t
 /* Takes the trouble away, and looks at how a call has answered it; true where it succeeded. */
 bool fuzz_trouble_end(ktg_context *context, fuzz_trouble *trouble, ktg_status status);
 
+/* For calls that read a file: lets an allocation fail that the bytes decide, with one in four
+ * inputs; false with the others. */
+bool fuzz_trouble_memory(ktg_context *context, const uint8_t *data, size_t size);
+
+/* Lets no allocation fail any more, and looks at the answer; true where the call succeeded. */
+bool fuzz_trouble_over(ktg_context *context, ktg_status status);
+
 #endif
