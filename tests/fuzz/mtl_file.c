@@ -1,6 +1,7 @@
 /* tests/fuzz/mtl_file.c - any bytes as the MTL file of a fixed model with an image beside it. */
 #include "paint/paint.h"
 #include "tests/fuzz/model.h"
+#include "tests/fuzz/trouble.h"
 
 #include <string.h>
 
@@ -27,6 +28,15 @@ static void look_at_faces(ktg_context *context, const ktg_paint *paint) {
     }
 }
 
+static void paint_with_little_memory(ktg_context *context, const ktg_mesh *mesh, const char *path,
+                                     const ktg_paint_options *options) {
+    ktg_paint *paint;
+    ktg_paint_report report;
+    if (!fuzz_trouble_over(context, ktg_paint_new(context, mesh, path, options, &paint, &report)))
+        fuzz_expect(!paint, "colours come with a failure");
+    ktg_paint_free(&paint);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     ktg_context *context = fuzz_context();
     const char *path = fuzz_file("/model.obj", model, strlen(model));
@@ -36,6 +46,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     ktg_paint *paint;
     ktg_paint_report report;
     const ktg_paint_options options = {.plain = true};
+    if (fuzz_trouble_memory(context, data, size))
+        paint_with_little_memory(context, mesh, path, &options);
     if (fuzz_succeeded(context, ktg_paint_new(context, mesh, path, &options, &paint, &report)) &&
         paint) {
         fuzz_must(context, ktg_paint_lay(context, paint, mesh, 10, &report));

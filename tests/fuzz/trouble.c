@@ -41,7 +41,8 @@ bool fuzz_trouble_memory(ktg_context *context, const uint8_t *data, size_t size)
         sum = (sum ^ data[i]) * 16777619u;
     if (sum % 4 != 0)
         return false;
-    ktg_context_fail_allocation(context, 1 + sum / 4 % 64);
+    uint32_t moment = sum / 4 % 64;
+    ktg_context_fail_allocation(context, 1 + moment * moment / 4);
     return true;
 }
 

@@ -1,6 +1,7 @@
 /* tests/fuzz/warp_pattern.c - any bytes as a pattern of cloth whose first piece is to be warped. */
 #include "pipeline/pipeline.h"
 #include "tests/fuzz/fuzz.h"
+#include "tests/fuzz/trouble.h"
 
 #include <string.h>
 
@@ -20,6 +21,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     options.output_count = sizeof outputs / sizeof *outputs;
     ktg_warp_result result;
     ktg_pattern *pattern;
+    if (fuzz_trouble_memory(context, data, size))
+        fuzz_trouble_over(context, ktg_pipeline_warp(context, &options, &job, &result));
     if (fuzz_succeeded(context, ktg_pipeline_warp(context, &options, &job, &result))) {
         fuzz_must(context, ktg_pattern_read_json(context, outputs[2], &pattern));
         ktg_pattern_free(&pattern);
