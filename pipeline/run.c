@@ -112,7 +112,8 @@ typedef struct job {
 /* Texture coordinates that nothing goes by would only hinder the simplification. */
 static void drop_idle_uvs(const ktg_pipeline_options *options, const ktg_paint *paint,
                           ktg_mesh *mesh) {
-    if (paint || (options->mode == KTG_CLOTH && options->flatten.seams & KTG_SEAMS_UV))
+    if ((paint && ktg_paint_is_picture(paint)) ||
+        (options->mode == KTG_CLOTH && options->flatten.seams & KTG_SEAMS_UV))
         return;
     ktg_free(mesh->face_uv);
     ktg_free(mesh->uvs);

@@ -195,10 +195,12 @@ static void a_large_model_is_simplified_and_says_so(void **state) {
     ktg_pattern_free(&p);
 }
 
-/* A hilly field of 128 faces; with `charts` its halves have charts of their own. */
-static void write_field(bench *b, const char *name, bool charts) {
-    char text[20000];
-    size_t used = 0;
+/* A hilly field of 128 faces; with `charts` its halves have charts of their own, with `colours` the
+ * last row is red. */
+static void write_field(bench *b, const char *name, bool charts, bool colours) {
+    char text[20000] = "mtllib red.mtl\n";
+    size_t used = strlen(text);
+    bench_write(b, "red.mtl", "newmtl white\nKd 1 1 1\nnewmtl red\nKd 1 0 0\n");
     for (int k = 0; k < 2 * 81; k++)
         used += (size_t)snprintf(text + used, sizeof text - used, "vt %g %g\n",
                                  k % 9 / 8.0 + k / 81, k / 9 % 9 / 8.0);
@@ -208,7 +210,8 @@ static void write_field(bench *b, const char *name, bool charts) {
     for (int k = 0; k < 64; k++) {
         int a = 9 * (k / 8) + k % 8 + 1, chart = k % 8 < 4 ? 0 : 81;
         int corners[] = {a, a + 9, a + 10, a + 1};
-        used += (size_t)snprintf(text + used, sizeof text - used, "f");
+        used += (size_t)snprintf(text + used, sizeof text - used, "usemtl %s\nf",
+                                 colours && k >= 56 ? "red" : "white");
         for (int c = 0; c < 4; c++)
             used += (size_t)snprintf(text + used, sizeof text - used, charts ? " %d/%d" : " %d",
                                      corners[c], corners[c] + chart);
@@ -221,22 +224,24 @@ static void write_field(bench *b, const char *name, bool charts) {
 
 static void coordinates_of_no_image_hinder_nothing(void **state) {
     bench *b = *state;
-    ktg_pipeline_report r;
-    ktg_pattern *nets[2];
-    for (int charts = 0; charts < 2; charts++) {
-        write_field(b, "field.obj", charts);
-        b->options.faces = 60;
-        bench_no_outputs(b);
-        bench_output(b, "net.json");
-        bench_run(b, &r);
-        assert_int_equal(r.faces, 60);
-        nets[charts] = bench_pattern(b, "net.json");
+    bench_output(b, "net.json");
+    b->options.faces = 60;
+    for (int colours = 0; colours < 2; colours++) {
+        ktg_pattern *nets[2];
+        for (int charts = 0; charts < 2; charts++) {
+            ktg_pipeline_report r;
+            write_field(b, "field.obj", charts, colours);
+            bench_run(b, &r);
+            assert_int_equal(r.faces, 60);
+            assert_int_equal(r.paint.colours, colours ? 2 : 1);
+            nets[charts] = bench_pattern(b, "net.json");
+        }
+        assert_int_equal(nets[0]->vertex_count, nets[1]->vertex_count);
+        assert_memory_equal(nets[0]->vertices, nets[1]->vertices,
+                            nets[0]->vertex_count * sizeof *nets[0]->vertices);
+        ktg_pattern_free(&nets[0]);
+        ktg_pattern_free(&nets[1]);
     }
-    assert_int_equal(nets[0]->vertex_count, nets[1]->vertex_count);
-    assert_memory_equal(nets[0]->vertices, nets[1]->vertices,
-                        nets[0]->vertex_count * sizeof *nets[0]->vertices);
-    ktg_pattern_free(&nets[0]);
-    ktg_pattern_free(&nets[1]);
 }
 
 static void cloth_goes_the_same_way(void **state) {
