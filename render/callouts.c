@@ -5,17 +5,15 @@
 
 #include <stdlib.h>
 
-#define GAP_MM    0.35 /* between two texts */
-#define RINGS     7
-#define RING_MM   1.7
-#define TURNS     16
-#define LINE_MM   0.12
-#define HALO_MM   0.4 /* of white around that line */
-#define POINT_MM  0.35
-#define MOST_AWAY 4 /* with more than one of so many away from its point, ... */
-#define MOST_HIDDEN                                                                                \
-    10                   /* ... or more than one part of so many hidden, all go beside the picture \
-                          */
+#define GAP_MM      0.35 /* between two texts */
+#define RINGS       7
+#define RING_MM     1.7
+#define TURNS       16
+#define LINE_MM     0.12
+#define HALO_MM     0.4 /* of white around that line */
+#define POINT_MM    0.35
+#define MOST_AWAY   4 /* texts go beside the picture with one of so many away from its point, ... */
+#define MOST_HIDDEN 10   /* ... or one part of so many of the picture hidden */
 #define ASIDE_MM    3.0  /* from the picture to the texts beside it */
 #define ROUNDING_MM 0.05 /* dots of a picture do not end where its area does */
 #define LINES       2.1  /* from text to text beside it, in digits */
@@ -198,7 +196,7 @@ static void put_column(cairo_t *cairo, ktg_callout **row, size_t count, double d
 }
 
 ktg_vec2 ktg_callouts_room(size_t count, double widest, double digit_mm) {
-    return (ktg_vec2){widest + ASIDE_MM + 2 * GAP_MM, (double)(count + 1) / 2 * LINES * digit_mm};
+    return (ktg_vec2){widest + ASIDE_MM + 2 * GAP_MM, (double)((count + 1) / 2) * LINES * digit_mm};
 }
 
 /* Whether the texts, and so many lines, fit beside the picture. */
