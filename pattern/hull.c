@@ -7,6 +7,9 @@
 
 #include <stdlib.h>
 
+/* Further out than this, products of two differences would overflow. */
+#define MOST 1e150
+
 static int by_place(const void *left, const void *right) {
     const ktg_vec2 *a = left, *b = right;
     if (a->x != b->x)
@@ -37,8 +40,8 @@ ktg_status ktg_hull(ktg_context *context, const ktg_vec2 *points, size_t point_c
                     ktg_vec2 **hull, size_t *count) {
     *hull = NULL;
     for (size_t i = 0; i < point_count; i++)
-        if (!isfinite(points[i].x) || !isfinite(points[i].y))
-            return ktg_fail(context, KTG_ARGUMENT, "a point of a piece is not finite");
+        if (!(fabs(points[i].x) <= MOST) || !(fabs(points[i].y) <= MOST))
+            return ktg_fail(context, KTG_ARGUMENT, "a point of a piece is not within %g", MOST);
     if (point_count == 0)
         return ktg_fail(context, KTG_ARGUMENT, "there are no points to put a box around");
     ktg_vec2 *sorted = ktg_copy_array(context, points, point_count, sizeof *points);

@@ -336,13 +336,14 @@ KTG_API KTG_NODISCARD ktg_status ktg_rows_pack(ktg_context *context, double widt
 /* The rotation, 0 to pi/2, at which the convex hull of the points needs the smallest rectangle (one
  * of its sides is flush with it; ties by the smaller angle), and the lower left corner and size of
  * that rectangle after the turn. point_count at least 1. KTG_ARGUMENT for a point that is not
- * finite. */
+ * finite, or beyond 1e150. */
 KTG_API KTG_NODISCARD ktg_status ktg_smallest_box(ktg_context *context, const ktg_vec2 *points,
                                                   size_t point_count, double *rotation,
                                                   ktg_vec2 *low, ktg_vec2 *size);
 
 /* The rotation at which the points fit a width x height rectangle with the largest magnification
- * (angles with a hull edge flush to a side, and those where both ratios are equal). */
+ * (angles with a hull edge flush to a side, and those where both ratios are equal). Refuses the same
+ * points, and a rectangle without a size. */
 KTG_API KTG_NODISCARD ktg_status ktg_best_fit(ktg_context *context, const ktg_vec2 *points,
                                               size_t point_count, double width, double height,
                                               double *rotation, ktg_vec2 *low,

@@ -156,8 +156,21 @@ static void boxes_of_points_and_lines_are_flat(void **state) {
     assert_int_equal(ktg_best_fit(*state, line, 3, 30, 40, &rotation, &low, &magnification),
                      KTG_OK);
     assert_true(fabs(magnification - 10) < 1e-9); /* the diagonal */
-    line[1].x = NAN;
-    assert_int_equal(ktg_smallest_box(*state, line, 3, &rotation, &low, &size), KTG_ARGUMENT);
+    static const double refused[] = {NAN, -INFINITY, 1.1e150, -1e300};
+    for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) {
+        line[1].x = refused[i];
+        assert_int_equal(ktg_smallest_box(*state, line, 3, &rotation, &low, &size), KTG_ARGUMENT);
+        assert_int_equal(ktg_best_fit(*state, line, 3, 30, 40, &rotation, &low, &magnification),
+                         KTG_ARGUMENT);
+    }
+    for (int far = 0; far < 2; far++) {
+        line[1] = far ? (ktg_vec2){-9e149, 9e149} : (ktg_vec2){9e149, 9e149};
+        assert_int_equal(ktg_smallest_box(*state, line, 3, &rotation, &low, &size), KTG_OK);
+        assert_true(isfinite(size.x) && isfinite(size.y) && fmax(size.x, size.y) > 1.2e150);
+        assert_int_equal(ktg_best_fit(*state, line, 3, 30, 40, &rotation, &low, &magnification),
+                         KTG_OK);
+        assert_true(magnification > 0 && magnification < 1e-148);
+    }
 }
 
 static void what_fit_promises_really_fits_and_little_more_does(void **state) {
