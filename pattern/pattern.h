@@ -342,8 +342,8 @@ KTG_API KTG_NODISCARD ktg_status ktg_smallest_box(ktg_context *context, const kt
                                                   ktg_vec2 *low, ktg_vec2 *size);
 
 /* The rotation at which the points fit a width x height rectangle with the largest magnification
- * (angles with a hull edge flush to a side, and those where both ratios are equal). Refuses the same
- * points, and a rectangle without a size. */
+ * (angles with a hull edge flush to a side, and those where both ratios are equal). Refuses the
+ * same points, and a rectangle without a size. */
 KTG_API KTG_NODISCARD ktg_status ktg_best_fit(ktg_context *context, const ktg_vec2 *points,
                                               size_t point_count, double width, double height,
                                               double *rotation, ktg_vec2 *low,

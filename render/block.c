@@ -133,20 +133,22 @@ bool ktg_block_legend(const ktg_page *page, ktg_pockets *pockets) {
     return place(page, pockets, legend, narrow, sizeof narrow / sizeof *narrow);
 }
 
-/* Two views side by side, two above each other, or one; large, or small. */
+/* Two views side by side or above each other, or one; large, or small. */
 ktg_status ktg_block_solid(const ktg_page *page, ktg_pockets *pockets) {
-    static const int views[][2] = {{2, 1}, {1, 2}, {1, 1}};
-    static const double sizes[] = {88, 60, 45, 35};
-    for (size_t i = 0; i < 3 * sizeof sizes / sizeof *sizes; i++) {
-        const int *view = views[i % 3];
-        double size = sizes[i / 3];
+    static const struct {
+        int across, down;
+        double size;
+    } choices[] = {{2, 1, 88}, {1, 2, 88}, {2, 1, 60}, {1, 2, 60}, {1, 1, 88}, {1, 1, 60},
+                   {2, 1, 45}, {1, 2, 45}, {1, 1, 45}, {2, 1, 35}, {1, 2, 35}, {1, 1, 35}};
+    for (size_t i = 0; i < sizeof choices / sizeof *choices; i++) {
+        int across = choices[i].across, down = choices[i].down;
+        double size = choices[i].size, side = size - 2 * SOLID_GAP_MM;
         ktg_area area;
-        if (!ktg_pockets_take(pockets, view[0] * size, view[1] * size, &area))
+        if (!ktg_pockets_take(pockets, across * size, down * size, &area))
             continue;
-        for (int k = 0; k < view[0] * view[1]; k++) {
-            double x = area.x0 + (view[0] > 1 ? k * size : 0) + SOLID_GAP_MM;
-            double y = area.y0 + (view[1] > 1 ? k * size : 0) + SOLID_GAP_MM;
-            double side = size - 2 * SOLID_GAP_MM;
+        for (int k = 0; k < across * down; k++) {
+            double x = area.x0 + (across > 1 ? k * size : 0) + SOLID_GAP_MM;
+            double y = area.y0 + (down > 1 ? k * size : 0) + SOLID_GAP_MM;
             KTG_TRY(ktg_solid_draw(page->drawing, page->cairo, (ktg_area){x, y, x + side, y + side},
                                    k > 0));
         }
