@@ -18,11 +18,12 @@ void ktg_callouts_place(cairo_t *cairo, ktg_callout *callouts, size_t count, dou
                         ktg_area within, const ktg_area *taken, size_t taken_count);
 /* Where more than a quarter of them found no place at their points, or they hide more than an
  * eighth of the picture: puts all in two columns beside it, with leaders that do not cross, if
- * there is room `within`. */
+ * there is room `within`. Else, and on KTG_MEMORY, they stay as they are. All in mm of the
+ * page. */
 KTG_NODISCARD ktg_status ktg_callouts_spread(ktg_context *context, cairo_t *cairo,
                                              ktg_callout *callouts, size_t count, double digit_mm,
                                              ktg_area within, ktg_area picture);
-/* The room that takes on each side of the picture: a width and a height. */
+/* The room that takes on each side of the picture, in mm: a width and a height. */
 ktg_vec2 ktg_callouts_room(size_t count, double widest, double digit_mm);
 /* What a text of that width takes, in mm2, ... */
 double ktg_callouts_area(double width, double digit_mm);

@@ -8,7 +8,6 @@
 #define KTG_RENDER_VIEW_H
 
 #include "render/draw.h"
-#include "render/more_pages.h"
 
 /* Unit vectors of the model: what is right and up in the picture, and where the eye is. */
 typedef struct ktg_eye {
