@@ -16,8 +16,8 @@ typedef struct ktg_callout {
  * by, with room for a leader; never over what is taken, nor out of `within`. */
 void ktg_callouts_place(cairo_t *cairo, ktg_callout *callouts, size_t count, double digit_mm,
                         ktg_area within, const ktg_area *taken, size_t taken_count);
-/* Where more than a quarter of them found no place at their points, or they hide more than an
- * eighth of the picture: puts all in two columns beside it, with leaders that do not cross, if
+/* Where more than a quarter of them found no place at their points, or they hide more than a
+ * tenth of the picture: puts all in two columns beside it, with leaders that do not cross, if
  * there is room `within`. Else, and on KTG_MEMORY, they stay as they are. All in mm of the
  * page. */
 KTG_NODISCARD ktg_status ktg_callouts_spread(ktg_context *context, cairo_t *cairo,
